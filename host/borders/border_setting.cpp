@@ -58,6 +58,7 @@ BorderSetting make_border_setting(const Study& study, std::size_t steps) {
   base.integrate.record = 1;
   base.integrate.fp64 = true;
   base.integrate.stop = Stop::orbit;
+  base.integrate.orbit_steps = 1;  // curves have steps of their own
   base.integrate.settle = std::max(base.integrate.settle, kMinSettle);
   base.integrate.tolerance = base.integrate.exponent_tolerance = 0.0;
   BorderSetting out{{base.model, base.setting, {}, {}, {}}, nullptr, nullptr};

@@ -54,8 +54,8 @@ Study load(const ExploreArguments& arguments, bool is_model) {
 }
 
 // The step that the map had, or that a tolerance asks for; nothing: the model's or the study's own.
-std::optional<double> step_of(const ExploreArguments& arguments, const Study& study,
-                              const SweepOptions& options) {
+std::optional<FoundStep> step_of(const ExploreArguments& arguments, const Study& study,
+                                 const SweepOptions& options) {
   if (is_netcdf(arguments.study)) return read_pilot_step(arguments.study);
   if (!study.integrate.is_tolerance_asked) return std::nullopt;
   const std::optional<SteppedStudy> stepped = choose_step(study, options);

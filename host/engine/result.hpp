@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "study/found_step.hpp"
 #include "study/study.hpp"
 #include "sweep_types.h"
 
@@ -34,7 +35,7 @@ struct Attractor {
 
 // How integrate.tolerance was met (sweep/pilot.hpp).
 struct PilotFindings {
-  double step = 0.0;   // max_step, in dimensionless time
+  FoundStep step;
   double error = 0.0;  // the largest of `errors`, samples of sections included
   // Share of all periodic points that keep the tolerance, at 95 % confidence: at least.
   double kept = 0.0;

@@ -14,6 +14,7 @@
 
 #include "explore/state_ranges.hpp"
 #include "point/place.hpp"
+#include "study/found_step.hpp"
 #include "study/study.hpp"
 
 namespace gearsweep {
@@ -50,7 +51,7 @@ struct TilePlace {
 // scene's own.
 struct ExploredStudy {
   Study study;
-  std::optional<double> pilot_step;
+  std::optional<FoundStep> pilot_step;
   bool has_one_axis = false;  // the study itself: a diagram tells more of it than a map
   // Those of the study.
   std::shared_ptr<LateStateRanges> state_ranges = std::make_shared<LateStateRanges>();

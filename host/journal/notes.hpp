@@ -13,6 +13,7 @@ inline constexpr const char* kTilePoints = "points of a tile";
 inline constexpr const char* kShard = "shard";
 inline constexpr const char* kStudy = "study";
 inline constexpr const char* kStep = "step";
+inline constexpr const char* kOrbitSteps = "steps on an orbit for one";
 // What a search for curves in a map was asked for.
 inline constexpr const char* kSearch = "search for curves";
 // The devices and drivers of all that have computed for it.

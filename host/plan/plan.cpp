@@ -20,6 +20,27 @@ constexpr double kMaxMeshSteps = 65536, kMaxSteps = 4194304;
 // what it integrates.
 constexpr double kStepsOfWave = 8;
 
+// Whether the rates of the states that are kept are others at another phase: then the equations
+// have it, and their graph need not be made to tell.
+bool differs_at_another_phase(const Model& model, const ModelSetting& setting) {
+  const Model& whole = model.full();
+  const std::vector<double> state(whole.states.size(), 0.5);
+  std::vector<double> coefs(whole.phase_coefs.size());
+  const auto point = whole.prepare(setting);
+  const auto rates_at = [&](double phase) {
+    std::vector<double> rates(state.size());
+    whole.phase_coefs_at(setting, phase, 1e-9, coefs.data());
+    point->rhs(coefs.data(), state.data(), rates.data());
+    return rates;
+  };
+  const std::vector<double> one = rates_at(0.0), other = rates_at(0.3);
+  std::vector<std::size_t> kept = model.reduction.kept;
+  for (std::size_t i = 0; model.whole == nullptr && i < one.size(); ++i) kept.push_back(i);
+  return std::ranges::any_of(kept, [&](std::size_t i) {
+    return std::isfinite(one[i]) && std::isfinite(other[i]) && one[i] != other[i];
+  });
+}
+
 // Compares keys of grids, whose last number is that of their steps.
 bool have_one_shape(const std::vector<double>& one, const std::vector<double>& other) {
   return std::equal(one.begin(), one.end() - 1, other.begin());
@@ -41,6 +62,15 @@ Plan::Plan(std::shared_ptr<const Study> study, std::shared_ptr<const PointSource
   cut(tile_points);
 }
 
+Plan::Plan(const Plan& other, std::size_t step_length, std::size_t step_parts)
+    : autonomy_(other.autonomy_),
+      shared_(other.shared_),
+      points_(other.points_),
+      tile_points_(other.tile_points_),
+      shared_steps_(other.shared_steps_),
+      step_length_(step_length),
+      step_parts_(step_parts) {}
+
 void Plan::cut(std::size_t tile_points) {
   tile_points_ = tile_points;
   stages_.clear();
@@ -49,8 +79,10 @@ void Plan::cut(std::size_t tile_points) {
 
 bool Plan::is_autonomous() const {
   std::call_once(autonomy_->once, [this] {
-    autonomy_->is_known_to_be = study_.model->is_autonomous || (study_.model->surfaces.empty() &&
-                                                                Structure(study_).is_autonomous());
+    autonomy_->is_known_to_be =
+        study_.model->is_autonomous || (study_.model->surfaces.empty() &&
+                                        !differs_at_another_phase(*study_.model, setting_of(0)) &&
+                                        Structure(study_).is_autonomous());
   });
   return autonomy_->is_known_to_be;
 }
@@ -69,10 +101,10 @@ ModelSetting Plan::setting_of(std::size_t point) const {
   return setting;
 }
 
-Plan Plan::with_longer_steps() const {
-  Plan longer = *this;
-  longer.step_length_ = 2 * step_length_;
-  return longer;
+Plan Plan::with_longer_steps() const { return {*this, 2 * step_length_, step_parts_}; }
+
+Plan Plan::with_shorter_steps(std::size_t parts) const {
+  return {*this, step_length_, parts * step_parts_};
 }
 
 std::size_t Plan::steps_of(std::size_t point) const { return steps_at(setting_of(point)); }
@@ -86,13 +118,13 @@ double Plan::steps_of(const PointList& points, const std::vector<std::uint32_t>&
 }
 
 std::size_t Plan::steps_at(const ModelSetting& setting) const {
-  const auto longer = [this](std::size_t steps) {
-    return (steps + step_length_ - 1) / step_length_;
+  const auto in_own_steps = [this](std::size_t steps) {
+    return (steps * step_parts_ + step_length_ - 1) / step_length_;
   };
   const double for_orders = steps_for_orders(setting);
   const std::size_t given = study_.integrate.steps_per_period;
   if (given > 0) {
-    if (static_cast<double>(given) >= for_orders) return longer(given);
+    if (static_cast<double>(given) >= for_orders) return in_own_steps(given);
     throw InputError(fmt::format(
         "the highest of observe.orders takes {} steps of a period or more, {} for each of its "
         "waves: integrate.steps_per_period = {} is too few",
@@ -109,8 +141,8 @@ std::size_t Plan::steps_at(const ModelSetting& setting) const {
                     study_.step_reason.empty() ? "" : fmt::format(" ({})", study_.step_reason),
                     possible, study_.step_reason.empty() ? "raise" : "give a longer"));
   }
-  if (study_.model->is_autonomous) return longer(few_steps(wanted));
-  return longer(shared_steps_.at_least(ladder_steps(wanted)));
+  if (study_.model->is_autonomous) return in_own_steps(few_steps(wanted));
+  return in_own_steps(shared_steps_.at_least(ladder_steps(wanted)));
 }
 
 // Tells a study whose draws have phase tables of their own, each one for all values of its axes,

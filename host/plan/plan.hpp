@@ -44,8 +44,10 @@ class Plan {
        std::size_t tile_points);
   // Cuts the same points into tiles of another size.
   void cut(std::size_t tile_points);
-  // The same points and tiles with steps of twice the length: what they change tells an error.
+  // The same points with steps of twice the length, whose results tell an error, and with so many
+  // steps in the place of each. They have no tiles of their own: they serve those of this plan.
   Plan with_longer_steps() const;
+  Plan with_shorter_steps(std::size_t parts) const;
 
   const Study& study() const { return study_; }
   const PointSource& points() const { return *points_; }
@@ -75,6 +77,9 @@ class Plan {
     PointList points;
   };
 
+  // The same points with other steps, without tiles.
+  Plan(const Plan& other, std::size_t step_length, std::size_t step_parts);
+
   // Throws InputError. wrong: with the setting of the point.
   [[noreturn]] void refuse(std::size_t point, const std::string& wrong) const;
   void check_breaks(std::size_t point, const ModelSetting& setting) const;
@@ -98,7 +103,8 @@ class Plan {
   const std::shared_ptr<const PointSource> points_;
   std::size_t tile_points_ = 0;
   SharedSteps shared_steps_;
-  std::size_t step_length_ = 1;             // in steps of the study
+  // A step is so many steps of the study, cut into so many parts.
+  std::size_t step_length_ = 1, step_parts_ = 1;
   std::vector<std::vector<Group>> groups_;  // [stage]
   std::vector<Stage> stages_;
 };

@@ -93,7 +93,7 @@ Study with_windows(const Study& study, const TraceWindows& windows) {
   return overrides.empty() ? study : read_draft(study.toml, "study", overrides);
 }
 
-void settle_step(std::optional<double> pilot_step, Study* study) {
+void settle_step(const std::optional<FoundStep>& pilot_step, Study* study) {
   if (study->integrate.tolerance <= 0.0) return;
   if (!pilot_step && study->integrate.is_tolerance_asked) {
     throw InputError(fmt::format(
@@ -102,7 +102,7 @@ void settle_step(std::optional<double> pilot_step, Study* study) {
         "integrate.max_step={}",
         study->integrate.max_step));
   }
-  if (pilot_step) study->integrate.max_step = *pilot_step;
+  if (pilot_step) pilot_step->give_to(study);
   study->integrate.tolerance = 0.0;
 }
 

@@ -8,6 +8,7 @@
 
 #include "engine/trace.hpp"
 #include "point/place.hpp"
+#include "study/found_step.hpp"
 #include "sweep/sweep_options.hpp"
 
 namespace gearsweep {
@@ -25,7 +26,7 @@ Study with_windows(const Study& study, const TraceWindows& windows);
 // Gives the study the step that its traces take, that of the sweep to a chain's point included.
 // pilot_step: what the pilot run of the map that they are of has found; nothing: there was none.
 // Throws InputError when the study asks for a tolerance and there is no such step.
-void settle_step(std::optional<double> pilot_step, Study* study);
+void settle_step(const std::optional<FoundStep>& pilot_step, Study* study);
 
 // Traces beside each other, as write_traces() takes them.
 struct PointTraces {

@@ -71,7 +71,8 @@ class Description {
     add("kernel_seconds", result_.kernel_seconds);
     add("integrated_states", fmt::format("{}", fmt::join(result_.integrated, " ")));
     if (!result_.pilot) return;
-    add("pilot_max_step", result_.pilot->step);
+    add("pilot_max_step", result_.pilot->step.max_step);
+    add("pilot_orbit_steps", static_cast<double>(result_.pilot->step.orbit_steps));
     add("pilot_error", result_.pilot->error);
     add("pilot_kept", result_.pilot->kept);
     add("pilot_sensitive", result_.pilot->sensitive);

@@ -38,8 +38,9 @@ std::string read_study_text(const std::string& path);
 // The list of points of the study that made this file; empty when it has none.
 PointTable read_point_table(const std::string& path);
 
-// The max_step that the pilot run of an integrate.tolerance found; nothing when there was none.
-std::optional<double> read_pilot_step(const std::string& path);
+// The step that the pilot run of an integrate.tolerance found; nothing when there was none. Throws
+// InputError.
+std::optional<FoundStep> read_pilot_step(const std::string& path);
 
 struct ResultAxis {
   std::string name, unit, meaning;

@@ -20,6 +20,7 @@
 #include "result/result_file.hpp"
 #include "result/si_units.hpp"
 #include "result/trace_file.hpp"
+#include "study/study_keys.hpp"
 
 namespace gearsweep {
 namespace {
@@ -172,10 +173,18 @@ PointTable read_point_table(const std::string& path) {
   return points;
 }
 
-std::optional<double> read_pilot_step(const std::string& path) {
-  const std::vector<double> step =
-      NetcdfFile::open(path).number_attribute(NC_GLOBAL, "pilot_max_step");
-  return step.empty() ? std::nullopt : std::optional(step.front());
+std::optional<FoundStep> read_pilot_step(const std::string& path) {
+  const NetcdfFile file = NetcdfFile::open(path);
+  const std::vector<double> step = file.number_attribute(NC_GLOBAL, "pilot_max_step");
+  const std::vector<double> parts = file.number_attribute(NC_GLOBAL, "pilot_orbit_steps");
+  if (step.empty()) return std::nullopt;
+  if (parts.empty()) return FoundStep{step.front()};  // of an older file
+  if (!(parts.front() >= 1.0 && parts.front() <= kMaxOrbitSteps)) {
+    throw InputError(
+        fmt::format("'{}': its attribute pilot_orbit_steps is {}; from 1 to {} is right", path,
+                    parts.front(), kMaxOrbitSteps));
+  }
+  return FoundStep{step.front(), static_cast<std::size_t>(parts.front())};
 }
 
 ResultFile::ResultFile(const std::string& path)

@@ -103,11 +103,14 @@ struct Integrate {
   bool is_tolerance_asked = false;      // one of the two is in the study
   bool is_map_tolerance_given = false;  // the first one is
   std::size_t steps_per_period = 0;     // at least so many steps per period, when > 0
-  bool events = true;                   // steps that cross a contact's limit are corrected
-  std::size_t settle = 400;             // periods
-  std::size_t record = 200;             // periods
-  std::size_t warm_up = 100;            // last periods of settle that tangent vectors are turned in
-  std::size_t extend = 16;              // an undecided point is recorded for up to so many records
+  // Steps of a motion on its periodic orbit for one of the run: what is told of a point that stops
+  // there is as right as so much shorter steps make it.
+  std::size_t orbit_steps = 1;
+  bool events = true;         // steps that cross a contact's limit are corrected
+  std::size_t settle = 400;   // periods
+  std::size_t record = 200;   // periods
+  std::size_t warm_up = 100;  // last periods of settle that tangent vectors are turned in
+  std::size_t extend = 16;    // an undecided point is recorded for up to so many records
   Stop stop = Stop::orbit;
   States states = States::driving;
   EngineKind engine = EngineKind::opencl;

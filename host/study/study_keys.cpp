@@ -267,6 +267,10 @@ StudyTable integrate_table() {
         "Instead of tolerance: the longest step, in the model's time.", kMinMaxStep, kMaxMaxStep},
        {"steps_per_period", "whole number", "", "Instead of tolerance: at least so many steps.",
         8.0, 4194304.0},
+       whole("orbit_steps", integrate.orbit_steps, 1, kMaxOrbitSteps,
+             "Steps on the periodic orbit that a point has stopped on, for one of the run: what is "
+             "told of the orbit, exponents above all, is as right as shorter steps make it. A "
+             "pilot run finds this, too."),
        {"diverged_above", "number or table", "the model's",
         "A state that goes beyond it has diverged: in the model's units, for all states or state "
         "by state, {p = 1e12}. A model that names none has diverged when a state is no number any "

@@ -7,6 +7,8 @@
 
 namespace gearsweep {
 
+// The most steps on a periodic orbit for one of the run.
+inline constexpr double kMaxOrbitSteps = 64.0;
 // The least that a study may ask for by integrate.tolerance, but for 0, which is none.
 inline constexpr double kMinTolerance = 1e-10;
 

@@ -150,7 +150,14 @@ void refuse_misplaced(const toml::table& root, const Model& model) {
   }
 }
 
-void check_attractors(const toml::table* observe, const Study& study) {
+void check_attractors(const toml::table& root, const Study& study) {
+  const toml::table* observe = root["observe"].as_table();
+  if (study.selection.census && study.integrate.orbit_steps > 1) {
+    fail_at(*root["integrate"]["orbit_steps"].node(),
+            "attractors are told apart by where motions are, for which all must have the same "
+            "steps: leave out integrate.orbit_steps, or the quantities attractor and "
+            "attractor_count");
+  }
   for (const Quantity& quantity : study.selection.quantities) {
     if (quantity.name != "attractor_count" || study.initial.ensemble > 1) continue;
     fail_at(*observe->get("quantities"),
@@ -294,7 +301,7 @@ Study read_tables(const StudyText& text) {
   read_integrate(reader.table("integrate"), &study);
   bind_curves(root["model"].as_table(), drawings, &study);
   read_observe(reader.table("observe"), root, &study);
-  check_attractors(reader.table("observe"), study);
+  check_attractors(root, study);
   heed_rough_model(root, &study);
   read_uncertain(root, &study);
   // A study of uncertain parameters needs no axes: it is that of its one point.

@@ -33,9 +33,11 @@ constexpr double kBeyondOfAll = 0.03;
 constexpr std::size_t kMinPeriodic = 3;  // points that a verdict can rest on
 constexpr double kMaxSensitive = 0.5;    // of the points: beyond, nothing is told
 constexpr double kLongest = 4.0;         // of the ladder's steps, in the model's own
-constexpr int kRungsPerHalf = 4;         // steps of the ladder between one and half of it
-constexpr std::size_t kPairs = 3;        // of runs, that tell which points are sensitive
-constexpr double kFewestMore = 1.5;      // times the steps of a run, of one that judges it
+// Steps on orbits for one of the run, where their exponents need shorter ones than all other maps.
+constexpr std::size_t kOrbitSteps = 4;
+constexpr int kRungsPerHalf = 4;     // steps of the ladder between one and half of it
+constexpr std::size_t kPairs = 3;    // of runs, that tell which points are sensitive
+constexpr double kFewestMore = 1.5;  // times the steps of a run, of one that judges it
 // The shortest step of a pilot, in the model's own. A pilot that nobody asked for stops where the
 // run with it would take an eighth of the time of all points at the model's own step, and may
 // always go down to a quarter of that step.
@@ -104,6 +106,12 @@ class PilotRuns {
   MapErrors errors(double coarse, double fine) {
     return {run(coarse), run(fine), tolerances_, motion_ranges_};
   }
+  std::size_t orbit_steps() const { return study_.integrate.orbit_steps; }
+  // Of all runs from here on.
+  void set_orbit_steps(std::size_t steps) {
+    study_.integrate.orbit_steps = steps;
+    runs_.clear();
+  }
 
  private:
   Study with_step(double step) const {
@@ -120,7 +128,7 @@ class PilotRuns {
     return runs_.emplace(step, *std::move(result)).first->second;
   }
 
-  const Study study_;
+  Study study_;
   const Tolerances tolerances_;
   const std::map<std::string, double> motion_ranges_;
   SweepOptions own_;
@@ -152,18 +160,47 @@ class StepSearch {
   // Throws NoStep.
   PilotFindings run() {
     const double longest = kLongest * study_.integrate.max_step;
-    double fine = own_step_;
-    ask_for_periodic_points(runs_.errors(longest, fine));
-    if (!will_do(longest, fine)) fine = find_reference();
-    return findings(find_longest(2.0 * fine, longest, fine), fine);
+    ask_for_periodic_points(runs_.errors(longest, own_step_));
+    if (will_do(longest, own_step_)) return findings({longest, own_step_});
+    if (!may_refine_orbits()) return findings(search(longest));
+    judges_exponents_ = false;
+    const Found for_others = search(longest);
+    judges_exponents_ = true;
+    if (will_do(for_others.step, for_others.fine)) return findings(for_others);
+    sensitive_ = 0.0;
+    runs_.set_orbit_steps(kOrbitSteps);
+    return findings(search(for_others.step));
   }
 
  private:
+  struct Found {
+    double step, fine;  // the longest that will do, and that of the run which judged it
+  };
+
+  // Not longer than `longest`.
+  Found search(double longest) {
+    const double fine = will_do(longest, own_step_) ? own_step_ : find_reference();
+    return {find_longest(std::min(2.0 * fine, longest), longest, fine), fine};
+  }
+
+  MapErrors errors(double coarse, double fine) {
+    const MapErrors all = runs_.errors(coarse, fine);
+    return judges_exponents_ ? all : all.without_exponents();
+  }
+
   // The study's step, or so much shorter that steps of twice the length are others at each point.
   double step_in_effect() const {
     double step = study_.integrate.max_step;
     while (runs_.is_possible(step) && !runs_.differ(2.0 * step, step)) step /= 2.0;
     return runs_.is_possible(step) ? step : study_.integrate.max_step;
+  }
+
+  // Attractors are told apart by where motions are, for which all must have the same steps.
+  bool may_refine_orbits() const {
+    const bool has_exponents = std::ranges::any_of(
+        study_.selection.quantities, [](const Quantity& one) { return is_exponent(one); });
+    return has_exponents && looks_for_orbits(study_) && study_.integrate.stop == Stop::orbit &&
+           runs_.orbit_steps() == 1 && !study_.selection.census;
   }
 
   void ask_for_periodic_points(const MapErrors& errors) const {
@@ -196,9 +233,8 @@ class StepSearch {
   }
 
   bool will_do(double coarse, double fine) {
-    const MapErrors errors = runs_.errors(coarse, fine);
-    return errors.furthest(share()).is_kept() && is_supported(errors) &&
-           errors.others_agree(kBeyond);
+    const MapErrors pair = errors(coarse, fine);
+    return pair.furthest(share()).is_kept() && is_supported(pair) && pair.others_agree(kBeyond);
   }
 
   // A step so short that one of twice its length will do at all points but the sensitive ones.
@@ -206,17 +242,17 @@ class StepSearch {
   double find_reference() {
     std::vector<MapErrors> halvings;
     if (runs_.differ(4.0 * own_step_, 2.0 * own_step_)) {
-      halvings.push_back(runs_.errors(4.0 * own_step_, 2.0 * own_step_));
+      halvings.push_back(errors(4.0 * own_step_, 2.0 * own_step_));
     }
     for (double fine = own_step_; fine >= shortest_ && runs_.is_possible(fine); fine /= 2.0) {
-      const MapErrors& errors = halvings.emplace_back(runs_.errors(2.0 * fine, fine));
-      if (errors.furthest(kBeyond).is_kept()) return fine;
+      const MapErrors& last = halvings.emplace_back(errors(2.0 * fine, fine));
+      if (last.furthest(kBeyond).is_kept()) return fine;
       if (halvings.size() < kPairs) continue;
       const double sensitive = MapErrors::sensitive_share(halvings);
       if (sensitive > kMaxSensitive || is_at_best(halvings)) break;
-      if (!errors.furthest(kBeyond + sensitive).is_kept()) continue;
+      if (!last.furthest(kBeyond + sensitive).is_kept()) continue;
       sensitive_ = sensitive;
-      points_ = errors.points();
+      points_ = last.points();
       return fine;
     }
     throw no_step_keeps_it(halvings.back().furthest(kBeyond));
@@ -251,18 +287,18 @@ class StepSearch {
     return step(good);
   }
 
-  PilotFindings findings(double step, double fine) {
-    const MapErrors errors = runs_.errors(step, fine);
+  PilotFindings findings(const Found& found) {
+    const MapErrors errors = runs_.errors(found.step, found.fine);
     const std::size_t points = errors.points();
     // Two runs agree by chance at some of the points that land elsewhere, so more may than are
     // found to; but none at which this step makes no difference.
-    const auto found =
+    const auto elsewhere =
         static_cast<std::size_t>(std::lround(sensitive_ * static_cast<double>(points)));
-    return {.step = step,
+    return {.step = {found.step, runs_.orbit_steps()},
             .error = errors.largest(share()),
             .kept = 1.0 - share_of_all(errors.beyond(), points),
             .sensitive = sensitive_,
-            .max_sensitive = share_of_all(std::max(found, errors.beyond_in_any()), points),
+            .max_sensitive = share_of_all(std::max(elsewhere, errors.beyond_in_any()), points),
             .points = points,
             .errors = errors.of_quantities(share())};
   }
@@ -271,6 +307,7 @@ class StepSearch {
   PilotRuns runs_;
   const double own_step_;
   const double shortest_;
+  bool judges_exponents_ = true;
   double sensitive_ = 0.0;  // share of the periodic points
   std::size_t points_ = 1;  // that it was counted among
 };
@@ -321,7 +358,7 @@ std::optional<SteppedStudy> choose_step(const Study& study, const SweepOptions& 
   if (!wants_pilot(study)) return SteppedStudy{study, std::nullopt};
   try {
     SteppedStudy stepped{study, StepSearch(study, options).run()};
-    stepped.study.integrate.max_step = stepped.pilot->step;
+    stepped.pilot->step.give_to(&stepped.study);
     return stepped;
   } catch (const Stopped&) {
     return std::nullopt;

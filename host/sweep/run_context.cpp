@@ -58,8 +58,9 @@ std::size_t points_of(const Plan& plan, const Shard& shard) {
 
 // As a note of a journal.
 std::string pack(const PilotFindings& pilot) {
-  std::string text = fmt::format("{} {} {} {} {} {}", pilot.step, pilot.error, pilot.kept,
-                                 pilot.sensitive, pilot.max_sensitive, pilot.points);
+  std::string text =
+      fmt::format("{} {} {} {} {} {} {}", pilot.step.max_step, pilot.step.orbit_steps, pilot.error,
+                  pilot.kept, pilot.sensitive, pilot.max_sensitive, pilot.points);
   for (const auto& [quantity, error] : pilot.errors) text += fmt::format(" {} {}", quantity, error);
   return text;
 }
@@ -77,7 +78,8 @@ std::string why_no_shards(const Study& study) {
 Identity identity_of(const Study& study, const Shard& shard) {
   Identity identity = {{notes::kStudy, study.toml},
                        {"kernels and formulas", source_hash()},
-                       {notes::kStep, fmt::format("{}", study.integrate.max_step)}};
+                       {notes::kStep, fmt::format("{}", study.integrate.max_step)},
+                       {notes::kOrbitSteps, fmt::format("{}", study.integrate.orbit_steps)}};
   if (shard.count > 0) {
     identity.emplace_back(notes::kShard, fmt::format("{}/{}", shard.number, shard.count));
   }

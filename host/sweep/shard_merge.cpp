@@ -20,8 +20,8 @@ namespace {
 PilotFindings unpack_pilot(const std::string& text) {
   PilotFindings pilot;
   std::istringstream in(text);
-  in >> pilot.step >> pilot.error >> pilot.kept >> pilot.sensitive >> pilot.max_sensitive >>
-      pilot.points;
+  in >> pilot.step.max_step >> pilot.step.orbit_steps >> pilot.error >> pilot.kept >>
+      pilot.sensitive >> pilot.max_sensitive >> pilot.points;
   std::string quantity;
   for (double error = 0.0; in >> quantity >> error;) pilot.errors[quantity] = error;
   return pilot;
@@ -79,6 +79,7 @@ class ShardJournals {
     }
     Study study = read_study(note(first_, notes::kStudy), path, {}, {}, {}, NamedFiles::refused);
     study.integrate.max_step = read_step(note(first_, notes::kStep));
+    study.integrate.orbit_steps = read_count(note(first_, notes::kOrbitSteps), 1);
     return study;
   }
 

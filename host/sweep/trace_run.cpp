@@ -93,7 +93,8 @@ std::optional<Trace> run_trace(const Study& study, std::size_t samples_per_perio
                                const SweepOptions& options) {
   const Plan plan(study, study.points());
   const std::size_t point = followed_point(plan);
-  refuse_too_long(memory_of(plan, point, samples_per_period), study);
+  const Plan orbit_plan = plan.with_shorter_steps(study.integrate.orbit_steps);
+  refuse_too_long(memory_of(orbit_plan, point, samples_per_period), study);
   const std::unique_ptr<Engine> engine = make_engine(
       study, options.devices.empty() ? std::nullopt : std::optional(options.devices.front()),
       options.scheduler.get());
@@ -101,18 +102,19 @@ std::optional<Trace> run_trace(const Study& study, std::size_t samples_per_perio
   const std::optional<std::vector<double>> initial = initial_state(plan, options);
   if (!initial) return std::nullopt;
   const std::optional<SettledPoint> start =
-      settle_point(plan, point, *initial, engine.get(), after_round);
+      settle_point(plan, orbit_plan, point, *initial, engine.get(), after_round);
   if (!start) return std::nullopt;
   std::optional<std::vector<double>> rows;
+  const Plan& recorded = start->length > 0 ? orbit_plan : plan;
   if (!start->state.empty()) {
     const std::size_t record = study.integrate.record;
     const std::size_t turn = start->length > 0 ? std::min(start->length, record) : record;
-    rows = engine->rows(plan, point, start->state, start->settle, turn, after_round);
+    rows = engine->rows(recorded, point, start->state, start->settle, turn, after_round);
     if (!rows) return std::nullopt;
     repeat_turn(record, turn, &*rows);
   }
   if (!rows || rows->empty()) throw RunError("the point diverges before there is anything to see");
-  Trace trace = trace_of(plan, point, *rows, samples_per_period);
+  Trace trace = trace_of(recorded, point, *rows, samples_per_period);
   trace.settled = start->settled + start->settle;
   return trace;
 }

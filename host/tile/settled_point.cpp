@@ -4,12 +4,13 @@
 
 namespace gearsweep {
 
-std::optional<SettledPoint> settle_point(const Plan& plan, std::size_t point,
-                                         const std::vector<double>& initial, Engine* engine,
-                                         const RoundCallback& after_round) {
+std::optional<SettledPoint> settle_point(const Plan& plan, const Plan& orbit_plan,
+                                         std::size_t point, const std::vector<double>& initial,
+                                         Engine* engine, const RoundCallback& after_round) {
   const std::size_t settle = plan.study().integrate.settle;
   const Tile tile = {{point}, {0}, 0.0};
-  OrbitSearch search(plan, tile, initial, searched_periods(plan.study()), engine->orbits());
+  OrbitSearch search(plan, orbit_plan, tile, initial, searched_periods(plan.study()),
+                     engine->orbits());
   while (search.can_advance()) {
     if (!search.advance(after_round)) return std::nullopt;
     if (search.found().empty()) continue;

@@ -17,9 +17,10 @@ struct SettledPoint {
   std::size_t length = 0;     // periods of the orbit that it is on; 0: none was found
 };
 
-// initial: [state]. Nothing when the callback asked to stop. Throws RunError.
-std::optional<SettledPoint> settle_point(const Plan& plan, std::size_t point,
-                                         const std::vector<double>& initial, Engine* engine,
-                                         const RoundCallback& after_round);
+// initial: [state]. orbit_plan: as of OrbitSearch. Nothing when the callback asked to stop. Throws
+// RunError.
+std::optional<SettledPoint> settle_point(const Plan& plan, const Plan& orbit_plan,
+                                         std::size_t point, const std::vector<double>& initial,
+                                         Engine* engine, const RoundCallback& after_round);
 
 }  // namespace gearsweep

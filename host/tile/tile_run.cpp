@@ -40,17 +40,19 @@ class TileRun {
   TileRun(const Plan& plan, const Tile& tile, Engine* engine, const TileCallbacks& callbacks)
       : plan_(plan),
         study_(plan.study()),
+        orbit_plan_(plan.with_shorter_steps(study_.integrate.orbit_steps)),
         tile_(tile),
         engine_(engine),
         callbacks_(callbacks),
         windows_(windows_of(study_)),
         result_(empty_result(study_, tile.points.size())),
-        has_stopped_(tile.points.size(), 0) {}
+        has_stopped_(tile.points.size(), 0),
+        is_orbit_(tile.points.size(), 0) {}
 
   std::optional<TileResult> run(const std::vector<double>& initial) {
     const bool finished = search_for_orbits(initial) && record_the_rest() && extend() &&
-                          add_exponent_errors(plan_, tile_, has_stopped_, engine_->orbits(),
-                                              callbacks_.after_round, &result_);
+                          add_exponent_errors(plan_, orbit_plan_, tile_, has_stopped_, is_orbit_,
+                                              engine_->orbits(), callbacks_.after_round, &result_);
     if (!finished) return std::nullopt;
     complete_largest_exponents(plan_, tile_, &result_);
     mark_unstable_starts(initial);
@@ -93,7 +95,8 @@ class TileRun {
   // The functions below that return a bool return false when the callback asked to stop.
 
   bool search_for_orbits(const std::vector<double>& initial) {
-    OrbitSearch search(plan_, tile_, initial, searched_periods(study_), engine_->orbits());
+    OrbitSearch search(plan_, orbit_plan_, tile_, initial, searched_periods(study_),
+                       engine_->orbits());
     while (search.can_advance()) {
       const std::size_t before = search.found().size();
       if (!search.advance(callbacks_.after_round)) return false;
@@ -153,9 +156,9 @@ class TileRun {
       offsets.push_back(static_cast<std::uint32_t>(phase_offset_of(orbit)));
     }
     if (std::ranges::max(offsets) == 0) return states;
-    callbacks_.on_work(plan_.steps_of(subset.points, offsets));
+    callbacks_.on_work(orbit_plan_.steps_of(subset.points, offsets));
     const std::optional<Sections> sections =
-        engine_->orbits()->follow(plan_, subset, states, offsets, callbacks_.after_round);
+        engine_->orbits()->follow(orbit_plan_, subset, states, offsets, callbacks_.after_round);
     if (!sections) return std::nullopt;
     states.clear();
     for (std::size_t i = 0; i < orbits.size(); ++i) {
@@ -190,20 +193,20 @@ class TileRun {
         length * turns_of_orders(study_.selection.orders, length, whole.record);
     // The whole record ends at the section where one turn does, or takes a part of a turn more.
     const bool is_told = !judges_sections() && whole.record % length == 0;
-    const Tile subset = subset_of(plan_, tile_, positions, recorded + (is_told ? 0 : length));
+    const Tile subset = subset_of(orbit_plan_, tile_, positions, recorded + (is_told ? 0 : length));
     callbacks_.on_work(subset.work);
     const std::optional<std::vector<double>> states = first_recorded(orbits, subset);
     if (!states) return false;
     // The verdicts of this window are replaced by those of the next.
     const Window turn = {.record = recorded, .samples = whole.samples > 0 ? length : 0};
     std::optional<TileResult> once =
-        engine_->compute(plan_, subset, *states, turn, callbacks_.after_round);
+        engine_->compute(orbit_plan_, subset, *states, turn, callbacks_.after_round);
     if (!once) return false;
     if (!is_told) {
       const Window repeated = {.record = whole.record, .is_last = whole.is_last};
       std::optional<TileResult> replayed =
-          engine_->orbits()->replay(plan_, subset, once->final_states, length, log_stretchings,
-                                    repeated, callbacks_.after_round);
+          engine_->orbits()->replay(orbit_plan_, subset, once->final_states, length,
+                                    log_stretchings, repeated, callbacks_.after_round);
       if (!replayed) return false;
       count_settling(orbits, &*replayed);
       std::vector<std::size_t> all(positions.size());
@@ -212,7 +215,9 @@ class TileRun {
       once->final_states = std::move(replayed->final_states);
     }
     put_subset(study_, *once, positions, &result_);
-    for (const std::size_t position : positions) has_stopped_[position] = 1;
+    for (const std::size_t position : positions) {
+      has_stopped_[position] = is_orbit_[position] = 1;
+    }
     return true;
   }
 
@@ -289,12 +294,14 @@ class TileRun {
 
   const Plan& plan_;
   const Study& study_;
+  const Plan orbit_plan_;  // with the steps of motions on their orbits
   const Tile& tile_;
   Engine* engine_;
   const TileCallbacks& callbacks_;
   const std::vector<Window> windows_;
   TileResult result_;
   std::vector<std::uint8_t> has_stopped_;  // [point of the tile] on a periodic orbit, or cycle
+  std::vector<std::uint8_t> is_orbit_;     // [point of the tile] that the search has found
   std::vector<std::size_t> open_;          // positions
   std::vector<double> states_;             // [open point][state]
   std::size_t settled_ = 0;                // periods integrated before these states

@@ -20,7 +20,7 @@ namespace py = pybind11;
 // two axes; contact may be empty.
 py::tuple curves(Session* session, const Study& study, std::vector<double> period,
                  std::vector<double> contact, std::size_t steps, std::size_t min_pairs,
-                 std::optional<double> pilot_step, const std::string& device,
+                 const std::optional<FoundStep>& pilot_step, const std::string& device,
                  const std::string& call) {
   SweepOptions options = session->options_for(device);
   Study whole = study;

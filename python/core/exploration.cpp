@@ -16,8 +16,8 @@ namespace py = pybind11;
 // Serves on a thread of its own, which knows no Python.
 class Exploration {
  public:
-  Exploration(const Study& study, std::optional<double> pilot_step, const std::string& source,
-              SweepOptions options, std::size_t megabytes, int port)
+  Exploration(const Study& study, const std::optional<FoundStep>& pilot_step,
+              const std::string& source, SweepOptions options, std::size_t megabytes, int port)
       : explorer_({explorable(study), pilot_step, study.axes.size() == 1},
                   {.source = source,
                    .is_model = false,
@@ -48,7 +48,7 @@ void add_exploration(py::module_* module, SessionClass* session) {
       .def("stop", &Exploration::stop, py::call_guard<py::gil_scoped_release>());
   session->def(
       "explore",
-      [](Session* self, const Study& study, std::optional<double> pilot_step,
+      [](Session* self, const Study& study, const std::optional<FoundStep>& pilot_step,
          const std::string& source, const std::string& device, std::size_t megabytes, int port) {
         return std::make_unique<Exploration>(study, pilot_step, source, self->options_for(device),
                                              megabytes, port);

@@ -20,7 +20,7 @@ py::tuple orders(Session* session, const Study& study, const std::string& over,
                  const NamedValues& place, const std::string& channel,
                  std::optional<std::size_t> settle, std::optional<std::size_t> record,
                  double highest, std::size_t samples_per_period, bool has_window,
-                 std::optional<double> pilot_step, const std::string& device,
+                 const std::optional<FoundStep>& pilot_step, const std::string& device,
                  const std::string& call) {
   SweepOptions options = session->options_for(device);
   Study whole = with_windows(study, {settle, record});

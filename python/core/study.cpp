@@ -83,6 +83,12 @@ void add_study(py::module_* module) {
               });
   module->def("builtin_study_names", &builtin_study_names);
   module->def("is_netcdf", &is_netcdf);
+  module->attr("MAX_ORBIT_STEPS") = static_cast<std::size_t>(kMaxOrbitSteps);
+  py::class_<FoundStep>(*module, "FoundStep")
+      .def(py::init([](double max_step, std::size_t orbit_steps) {
+             return FoundStep{max_step, orbit_steps};
+           }),
+           py::arg("max_step"), py::arg("orbit_steps"));
   module->def("read_pilot_step", &read_pilot_step);
 }
 

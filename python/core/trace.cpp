@@ -15,7 +15,7 @@ namespace py = pybind11;
 // The dataset, and what a user must be told. points: one trace each.
 py::tuple trace(Session* session, const Study& study, const std::vector<NamedValues>& points,
                 std::optional<std::size_t> settle, std::optional<std::size_t> record,
-                std::size_t samples_per_period, std::optional<double> pilot_step,
+                std::size_t samples_per_period, const std::optional<FoundStep>& pilot_step,
                 const std::string& device, const std::string& call) {
   SweepOptions options = session->options_for(device);
   Study whole = with_windows(study, {settle, record});

@@ -9,6 +9,9 @@ from numpy.typing import NDArray
 class InputError(ValueError): ...
 class RunError(RuntimeError): ...
 
+class FoundStep:
+    def __init__(self, max_step: float, orbit_steps: int) -> None: ...
+
 class Study:
     @property
     def toml(self) -> str: ...
@@ -47,7 +50,7 @@ class Session:
     def explore(
         self,
         study: Study,
-        pilot_step: float | None,
+        pilot_step: FoundStep | None,
         source: str,
         device: str,
         megabytes: int,
@@ -69,7 +72,7 @@ class Session:
         settle: int | None,
         record: int | None,
         samples_per_period: int,
-        pilot_step: float | None,
+        pilot_step: FoundStep | None,
         device: str,
         call: str,
     ) -> tuple[_Described, list[str]]: ...
@@ -84,7 +87,7 @@ class Session:
         highest: float,
         samples_per_period: int,
         has_window: bool,
-        pilot_step: float | None,
+        pilot_step: FoundStep | None,
         device: str,
         call: str,
     ) -> _Described: ...
@@ -106,7 +109,7 @@ class Session:
         contact: list[float],
         steps: int,
         min_pairs: int,
-        pilot_step: float | None,
+        pilot_step: FoundStep | None,
         device: str,
         call: str,
     ) -> _Described: ...
@@ -134,6 +137,7 @@ class Session:
 _Columns = list[tuple[str, numpy.ndarray[Any, Any]]]
 
 MOST_AXIS_VALUES: int
+MAX_ORBIT_STEPS: int
 
 def read_study(text: str, source: str, changes: list[str], points: _Columns, /) -> Study: ...
 def read_result_study(text: str, changes: list[str], points: _Columns, /) -> Study: ...
@@ -146,7 +150,7 @@ def builtin_study_names() -> list[str]: ...
 def tile_for_shards(study: Study, count: int, /) -> int: ...
 def merge_shards(journals: list[str], call: str) -> _Described: ...
 def is_netcdf(path: str, /) -> bool: ...
-def read_pilot_step(path: str, /) -> float | None: ...
+def read_pilot_step(path: str, /) -> FoundStep | None: ...
 def model_names() -> list[str]: ...
 def gear_keys() -> list[tuple[str, str, str, str, float, float]]: ...
 def builtin_model(name: str, /) -> dict[str, Any]: ...

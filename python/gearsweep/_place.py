@@ -49,11 +49,17 @@ def count_of(value: Any, name: str, smallest: int, largest: int) -> int | None:
     return count
 
 
-def pilot_step_of(source: Any) -> float | None:
+def pilot_step_of(source: Any) -> _core.FoundStep | None:
     """The step that the pilot run of a map has found, of a study that comes with its map."""
     if isinstance(source, xarray.Dataset):
         step = source.attrs.get("pilot_max_step")
-        return None if step is None else number_of(step, "pilot_max_step")
+        if step is None:
+            return None
+        parts = number_of(source.attrs.get("pilot_orbit_steps", 1), "pilot_orbit_steps")
+        if parts not in range(1, _core.MAX_ORBIT_STEPS + 1):
+            most = _core.MAX_ORBIT_STEPS
+            raise InputError(f"pilot_orbit_steps: {shown(parts)} is not in 1 .. {most}")
+        return _core.FoundStep(number_of(step, "pilot_max_step"), int(parts))
     if isinstance(source, str | os.PathLike):
         path = path_of(source, "a path or the name of a study")
         if _core.is_netcdf(path):

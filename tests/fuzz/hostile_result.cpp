@@ -175,7 +175,8 @@ class Choices {
   std::string attribute() {
     constexpr std::array kNames = {"units",         "long_name",     "scale", "flag_values",
                                    "flag_meanings", "_FillValue",    "study", "title",
-                                   "content",       "pilot_max_step"};
+                                   "content",       "pilot_max_step",
+                                   "pilot_orbit_steps"};
     return kNames[below(kNames.size())];
   }
 

@@ -128,8 +128,9 @@ TEST(PointTrace, TakesTheStepOfItsMap) {
   EXPECT_EQ(plain.integrate.tolerance, 0.0);
   study.integrate.is_tolerance_asked = true;
   EXPECT_THROW(settle_step(std::nullopt, &study), InputError);
-  settle_step(0.07, &study);
+  settle_step(FoundStep{0.07, 4}, &study);
   EXPECT_EQ(study.integrate.max_step, 0.07);
+  EXPECT_EQ(study.integrate.orbit_steps, 4U);
 }
 
 TEST(PointTrace, AddsNothingWhenItIsStopped) {

@@ -210,7 +210,7 @@ TEST_F(FileNotesTest, AScaleIsTheUnitInSi) {
 // What a pilot run has found: of the whole, and of each map that it compared.
 TEST_F(FileNotesTest, TellTheErrorOfEachMap) {
   SweepResult result = example_result();
-  result.pilot = {.step = 0.1,
+  result.pilot = {.step = {0.1, 4},
                   .error = 3e-4,
                   .kept = 0.97,
                   .sensitive = 0.02,
@@ -219,6 +219,7 @@ TEST_F(FileNotesTest, TellTheErrorOfEachMap) {
                   .errors = {{"x1_rms", 3e-4}}};
   const NetcdfFile file = NetcdfFile::open(write(result));
   EXPECT_EQ(file.number_attribute(NC_GLOBAL, "pilot_max_step"), std::vector{0.1});
+  EXPECT_EQ(file.number_attribute(NC_GLOBAL, "pilot_orbit_steps"), std::vector{4.0});
   EXPECT_EQ(file.number_attribute(NC_GLOBAL, "pilot_kept"), std::vector{0.97});
   EXPECT_EQ(file.number_attribute(NC_GLOBAL, "pilot_sensitive"), std::vector{0.02});
   EXPECT_EQ(file.number_attribute(NC_GLOBAL, "pilot_sensitive_max"), std::vector{0.04});

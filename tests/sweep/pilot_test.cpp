@@ -46,13 +46,17 @@ double max_error(const SweepResult& result) {
   return error / (high - low);
 }
 
+double on_orbits(const FoundStep& step) {
+  return step.max_step / static_cast<double>(step.orbit_steps);
+}
+
 class PilotTolerance : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(PilotTolerance, IsKeptAtEveryPointOfASmoothSystem) {
   const double tolerance = std::stod(GetParam());
   const SweepResult result = run(kOscillator, {std::string("integrate.tolerance=") + GetParam()});
   ASSERT_TRUE(result.pilot.has_value());
-  EXPECT_EQ(result.study.integrate.max_step, result.pilot->step);
+  EXPECT_EQ(result.study.integrate.max_step, result.pilot->step.max_step);
   EXPECT_EQ(result.pilot->points, 41U);
   EXPECT_EQ(result.pilot->sensitive, 0.0);
   EXPECT_LE(result.pilot->error, tolerance);
@@ -60,7 +64,7 @@ TEST_P(PilotTolerance, IsKeptAtEveryPointOfASmoothSystem) {
   EXPECT_EQ(result.pilot->errors.at("x_rms"), result.pilot->error);
   // The next longer step would not have done: its error is twice this one's. Or the longest step,
   // four times the model's own, is good enough.
-  EXPECT_TRUE(result.pilot->step == 0.12 || result.pilot->error > tolerance / 4.0);
+  EXPECT_TRUE(result.pilot->step.max_step == 0.12 || result.pilot->error > tolerance / 4.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Tolerances, PilotTolerance, ::testing::Values("1e-3", "1e-5", "1e-8"));
@@ -76,7 +80,7 @@ TEST(Pilot, KeepsTheDefaultToleranceOnTheWholeMap) {
       "'contact_class', 'contact_gap']\n";
   const SweepResult result = run(gear);
   ASSERT_TRUE(result.pilot.has_value());
-  EXPECT_GT(result.pilot->step, result.study.model->max_step);
+  EXPECT_GT(result.pilot->step.max_step, result.study.model->max_step);
   EXPECT_LE(result.pilot->error, 1e-3);
   const SweepResult fine = run(gear, {"integrate.max_step=0.0125"});
   EXPECT_FALSE(fine.pilot.has_value());
@@ -115,7 +119,7 @@ TEST(Pilot, PaysForFewPointsOfManyDraws) {
                  "test.toml"),
       SweepOptions());
   ASSERT_TRUE(stepped && stepped->pilot);
-  EXPECT_GT(stepped->pilot->step, stepped->study.model->max_step);
+  EXPECT_GT(stepped->pilot->step.max_step, stepped->study.model->max_step);
 }
 
 // Where basins are interwoven, any change of the step sends some points to another orbit. The step
@@ -131,7 +135,7 @@ TEST(Pilot, TellsWhichShareNoStepSettles) {
   EXPECT_GT(result.pilot->sensitive, 0.1);
   EXPECT_LT(result.pilot->sensitive, 0.4);
   EXPECT_LE(result.pilot->error, 1e-3);
-  EXPECT_GT(result.pilot->step, result.study.model->max_step);
+  EXPECT_GT(result.pilot->step.max_step, result.study.model->max_step);
 }
 
 // Without a correction where teeth meet, exponents converge at first order, and from step to step
@@ -144,7 +148,7 @@ TEST(Pilot, GoesOnWhereShorterStepsHelpSlowly) {
   const SweepResult result = run(study, {"integrate.tolerance=0.01"});
   ASSERT_TRUE(result.pilot.has_value());
   EXPECT_LT(result.pilot->sensitive, 0.02);
-  EXPECT_LT(result.pilot->step, result.study.model->max_step);
+  EXPECT_LT(on_orbits(result.pilot->step), result.study.model->max_step);
   const SweepResult fine = run(study, {"integrate.max_step=0.0008"});
   const std::vector<double>& exponents = map_of(fine, "lyapunov_max");
   const auto [low, high] = std::minmax_element(exponents.begin(), exponents.end());
@@ -174,7 +178,7 @@ TEST(Pilot, DoesNotKnowTheOffsetOfTheMotion) {
   const PilotFindings near = pilot(1.0), far = pilot(300.0);
   EXPECT_EQ(near.points, 6U);
   EXPECT_EQ(far.points, 6U);
-  EXPECT_EQ(far.step, near.step);
+  EXPECT_EQ(far.step.max_step, near.step.max_step);
   EXPECT_NEAR(far.error, near.error, 1e-3 * near.error);
 }
 
@@ -194,16 +198,39 @@ TEST(Pilot, HasAToleranceForExponents) {
       "[[axes]]\nname = 'e0'\nfrom = 0.07\nto = 0.75\ncount = 12\n[integrate]\nsettle = "
       "300\nrecord = "
       "60\n[observe]\nquantities = ['x1_rms', 'lyapunov_max']\n";
-  const PilotFindings same = run(study, {"integrate.tolerance=1e-3"}).pilot.value();
+  const PilotFindings same = run(study, {"integrate.exponent_tolerance=1e-5"}).pilot.value();
   const PilotFindings looser = run(study, {"integrate.exponent_tolerance=0.02"}).pilot.value();
-  EXPECT_LE(same.errors.at("lyapunov_max"), 1e-3);
+  EXPECT_LE(same.errors.at("lyapunov_max"), 1e-5);
   EXPECT_LE(looser.errors.at("lyapunov_max"), 0.02);
   EXPECT_LE(looser.errors.at("x1_rms"), 1e-3);
-  EXPECT_GT(looser.step, same.step);
-  EXPECT_GT(looser.error, 1e-3);
+  EXPECT_GT(on_orbits(looser.step), on_orbits(same.step));
   EXPECT_THAT(refusal(replaced(kOscillator, "'x_rms'", "'x_rms', 'lyapunov_max'"),
                       {"integrate.exponent_tolerance=1e-10", "integrate.precision=fp32"}),
               AllOf(HasSubstr("integrate.exponent_tolerance = 1e-10"), HasSubstr("lyapunov")));
+}
+
+// Exponents of orbits alone need short steps here: the run keeps those of the other maps.
+TEST(Pilot, GivesShorterStepsToOrbitsWhereExponentsNeedThem) {
+  const std::string study =
+      "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nfrom = 0.45\nto = 1.9\ncount = 24\n"
+      "[[axes]]\nname = 'e0'\nfrom = 0.07\nto = 0.75\ncount = 12\n[integrate]\nsettle = "
+      "300\nrecord = 60\n[observe]\nquantities = [";
+  const std::string with = study + "'x1_rms', 'lyapunov_max']\n";
+  const SweepResult result = run(with, {"integrate.tolerance=1e-3"});
+  const FoundStep found = result.pilot->step;
+  EXPECT_EQ(found.orbit_steps, 4U);
+  EXPECT_EQ(result.study.integrate.orbit_steps, 4U);
+  const SweepResult others = run(study + "'x1_rms']\n", {"integrate.tolerance=1e-3"});
+  EXPECT_LE(found.max_step, others.pilot->step.max_step);
+  EXPECT_EQ(others.pilot->step.orbit_steps, 1U);
+  // What comes later takes the same steps.
+  const SweepResult again = run(with, found.overrides());
+  EXPECT_EQ(map_of(again, "lyapunov_max"), map_of(result, "lyapunov_max"));
+  EXPECT_EQ(map_of(again, "x1_rms"), map_of(result, "x1_rms"));
+  // Attractors are told apart by where motions are: they ask for equal steps of all.
+  const SweepResult told = run(study + "'lyapunov_max', 'attractor']\n",
+                               {"integrate.tolerance=0.01", "integrate.record=40"});
+  EXPECT_EQ(told.pilot->step.orbit_steps, 1U);
 }
 
 // In SI units the model's step is longer than any period, so that a period has the same few steps

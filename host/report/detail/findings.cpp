@@ -159,11 +159,11 @@ class Runs {
 
   bool map_orders_of_line() {
     if (options_.on_step) options_.on_step("order map");
-    std::vector<std::string> overrides = {"integrate.tolerance=0"};
+    std::vector<std::string> overrides =
+        pilot_step_ ? pilot_step_->overrides() : std::vector<std::string>{"integrate.tolerance=0"};
     if (out_.line.is_chained()) {
       overrides.push_back("initial.along=" + out_.line.axes[out_.speed].name);
     }
-    if (pilot_step_) overrides.push_back(fmt::format("integrate.max_step={}", *pilot_step_));
     Study study = changed(out_.line, overrides, {});
     study.integrate.record = usual_order_record(study);
     OrderRequest request;
@@ -211,7 +211,7 @@ class Runs {
   const ReportOptions& options_;
   ReportFindings& out_;
   SweepOptions sweep_;
-  std::optional<double> pilot_step_;
+  std::optional<FoundStep> pilot_step_;
 };
 
 std::string list_override(const std::vector<std::string>& quantities) {

@@ -157,9 +157,8 @@ class ScatterRuns {
     std::vector<std::string> overrides = {
         fmt::format("uncertain.samples={}", out_.tightened_gears)};
     if (out_.result.pilot) {
-      overrides.insert(
-          overrides.end(),
-          {"integrate.tolerance=0", fmt::format("integrate.max_step={}", out_.result.pilot->step)});
+      const std::vector<std::string> of_step = out_.result.pilot->step.overrides();
+      overrides.insert(overrides.end(), of_step.begin(), of_step.end());
     }
     const double value = speed.values[out_.worst];
     return changed(out_.study, overrides, {fmt::format("{}={}:{}:1", speed.name, value, value)});

@@ -80,6 +80,7 @@ void read_integrate(const toml::table* table, Study* study) {
     fail_at(*exponents,
             "give exponent_tolerance, from which the step follows, or the step, not both");
   }
+  integrate.orbit_steps = reader.count("orbit_steps", integrate.orbit_steps);
   integrate.events = reader.boolean("events", integrate.events);
   reader.know("diverged_above");
   set_default_windows(reader, study);

@@ -23,11 +23,6 @@ bool is_compared(const Quantity& quantity) {
          quantity.role != OutputRole::settled && quantity.role != OutputRole::angle;
 }
 
-bool is_exponent(const Quantity& quantity) {
-  return quantity.role == OutputRole::exponent ||
-         quantity.role == OutputRole::exponent_per_period || quantity.role == OutputRole::exponents;
-}
-
 std::vector<Values> values_of(const SweepResult& result) {
   const Selection& selection = result.study.selection;
   const std::size_t points = result.status.size();
@@ -99,6 +94,17 @@ double error_of(const Values& map, double difference, double range) {
 }
 
 }  // namespace
+
+bool is_exponent(const Quantity& quantity) {
+  return quantity.role == OutputRole::exponent ||
+         quantity.role == OutputRole::exponent_per_period || quantity.role == OutputRole::exponents;
+}
+
+MapErrors MapErrors::without_exponents() const {
+  MapErrors others = *this;
+  std::erase_if(others.maps_, [](const Map& map) { return map.is_exponent; });
+  return others;
+}
 
 MapErrors::MapErrors(const SweepResult& coarse, const SweepResult& fine,
                      const Tolerances& tolerances,

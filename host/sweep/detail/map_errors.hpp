@@ -36,6 +36,9 @@ struct FurthestMap {
   double excess() const { return error / tolerance; }
 };
 
+// Whether a map is one of Lyapunov exponents, or made of them.
+bool is_exponent(const Quantity& quantity);
+
 class MapErrors {
  public:
   // Compares two runs over the same points. Ranges and periodic points are those of `fine`; a point
@@ -44,6 +47,8 @@ class MapErrors {
   MapErrors(const SweepResult& coarse, const SweepResult& fine, const Tolerances& tolerances,
             const std::map<std::string, double>& motion_ranges = {});
 
+  // Of all other maps.
+  MapErrors without_exponents() const;
   // Points that stopped on a periodic orbit in the run with shorter steps.
   std::size_t points() const { return points_; }
   // How many of these are beyond the tolerance: in the map that has most, and in any map.

@@ -65,8 +65,9 @@ double apart(double a, double b) { return a == b ? 0.0 : std::abs(a - b); }
 
 }  // namespace
 
-bool add_exponent_errors(const Plan& plan, const Tile& tile,
-                         const std::vector<std::uint8_t>& has_stopped, OrbitEngine* engine,
+bool add_exponent_errors(const Plan& plan, const Plan& orbit_plan, const Tile& tile,
+                         const std::vector<std::uint8_t>& has_stopped,
+                         const std::vector<std::uint8_t>& is_orbit, OrbitEngine* engine,
                          const RoundCallback& after_round, TileResult* result) {
   const Study& study = plan.study();
   if (engine == nullptr || !study.selection.exponent_error) return true;
@@ -75,21 +76,26 @@ bool add_exponent_errors(const Plan& plan, const Tile& tile,
   const std::span<double> error = outputs[study.selection.exponent_error->error];
 
   std::vector<double> exponents(told.begin(), told.end());  // [point] of the return map
-  const OnOrbits going_on =
-      periodic_points(study, *result, [&](std::size_t i) { return has_stopped[i] == 0; });
+  const auto points_with = [&](const std::vector<std::uint8_t>& mark, std::uint8_t value) {
+    return periodic_points(study, *result, [&](std::size_t i) { return mark[i] == value; });
+  };
+  const OnOrbits going_on = points_with(has_stopped, 0);
   const auto own = largest_exponents(plan, tile, going_on, engine, after_round);
   if (!own) return false;
   for (std::size_t i = 0; i < own->size(); ++i) exponents[going_on.positions[i]] = (*own)[i];
 
-  const OnOrbits all = periodic_points(study, *result, [](std::size_t) { return true; });
-  const auto coarse = largest_exponents(plan.with_longer_steps(), tile, all, engine, after_round);
-  if (!coarse) return false;
-  for (std::size_t i = 0; i < coarse->size(); ++i) {
-    const std::size_t point = all.positions[i];
-    error[point] +=
-        apart(exponents[point], told[point]) + kSafety * apart((*coarse)[i], exponents[point]);
-  }
-  return true;
+  const auto add = [&](const Plan& longer, const OnOrbits& points) {
+    const auto coarse = largest_exponents(longer, tile, points, engine, after_round);
+    if (!coarse) return false;
+    for (std::size_t i = 0; i < coarse->size(); ++i) {
+      const std::size_t point = points.positions[i];
+      error[point] +=
+          apart(exponents[point], told[point]) + kSafety * apart((*coarse)[i], exponents[point]);
+    }
+    return true;
+  };
+  return add(orbit_plan.with_longer_steps(), points_with(is_orbit, 1)) &&
+         add(plan.with_longer_steps(), points_with(is_orbit, 0));
 }
 
 }  // namespace gearsweep

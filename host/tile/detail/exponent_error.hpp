@@ -12,9 +12,11 @@ namespace gearsweep {
 // Adds to the error of each periodic point of a finished tile how far its exponent is from that of
 // the return map where it ended, and four times what steps of twice the length change there. Only
 // of periods up to ORBIT_LONGEST. has_stopped: [point of the tile] its exponent is that of the
-// return map. False when the callback asked to stop.
-bool add_exponent_errors(const Plan& plan, const Tile& tile,
-                         const std::vector<std::uint8_t>& has_stopped, OrbitEngine* engine,
+// return map. is_orbit: [point of the tile] it was recorded on its orbit, with the steps of
+// orbit_plan. False when the callback asked to stop.
+bool add_exponent_errors(const Plan& plan, const Plan& orbit_plan, const Tile& tile,
+                         const std::vector<std::uint8_t>& has_stopped,
+                         const std::vector<std::uint8_t>& is_orbit, OrbitEngine* engine,
                          const RoundCallback& after_round, TileResult* result);
 
 }  // namespace gearsweep

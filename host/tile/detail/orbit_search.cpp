@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "model/array.hpp"
@@ -18,6 +19,8 @@ constexpr SearchCriteria kFromAnywhere = {
 // A draw that starts on the nominal motion has its own orbit beside it, and lies where the return
 // map is nearly linear.
 constexpr SearchCriteria kFromNominal = {.near = 0.3, .far = 0.3, .longest_span = 1, .kept = 3e-2};
+// Of an orbit from what other steps made of it, at most.
+constexpr double kFarFromItself = 3e-2;
 // In `excluded` of an approach: all lengths are excluded.
 constexpr std::uint32_t kAnyLength = (1U << ORBIT_LONGEST) - 1;
 // Periods of the first approach of a draw that starts on the nominal motion: so few returns mostly
@@ -36,9 +39,11 @@ bool starts_at_nominal(const Plan& plan, const Tile& tile) {
 
 }  // namespace
 
-OrbitSearch::OrbitSearch(const Plan& plan, const Tile& tile, const std::vector<double>& initial,
-                         std::size_t periods, OrbitEngine* engine)
+OrbitSearch::OrbitSearch(const Plan& plan, const Plan& orbit_plan, const Tile& tile,
+                         const std::vector<double>& initial, std::size_t periods,
+                         OrbitEngine* engine)
     : plan_(plan),
+      orbit_plan_(orbit_plan),
       tile_(tile),
       periods_(periods),
       engine_(engine),
@@ -175,10 +180,7 @@ bool OrbitSearch::take_arrivals(const RoundCallback& after_round) {
       candidates_[position].reset();
     }
   }
-  if (!OrbitPursuit(plan_, tile_, engine_, criteria_.far, criteria_.kept)
-           .sharpen(arrivals, after_round)) {
-    return false;
-  }
+  if (!refine(arrivals, after_round)) return false;
   for (OrbitAttempt* orbit : arrivals) {
     const std::size_t position = orbit->position;
     if (orbit->verdict == NewtonVerdict::found) {
@@ -190,6 +192,24 @@ bool OrbitSearch::take_arrivals(const RoundCallback& after_round) {
     candidates_[position].reset();
   }
   return true;
+}
+
+bool OrbitSearch::refine(const OrbitPursuit::Attempts& arrivals, const RoundCallback& after_round) {
+  const bool has_own_steps = plan_.study().integrate.orbit_steps > 1;
+  OrbitPursuit pursuit(orbit_plan_, tile_, engine_, has_own_steps ? kFarFromItself : criteria_.far,
+                       criteria_.kept);
+  if (has_own_steps) {
+    for (OrbitAttempt* orbit : arrivals) {
+      orbit->verdict = NewtonVerdict::going_on;
+      orbit->newton.start = orbit->newton.state;
+      orbit->newton.distance = std::numeric_limits<double>::infinity();
+    }
+    if (!pursuit.find(arrivals, after_round)) return false;
+  }
+  OrbitPursuit::Attempts found = arrivals;
+  std::erase_if(found,
+                [](const OrbitAttempt* one) { return one->verdict != NewtonVerdict::found; });
+  return pursuit.sharpen(std::move(found), after_round);
 }
 
 // Removes the points that were found or have diverged from the open points.

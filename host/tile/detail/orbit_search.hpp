@@ -39,10 +39,11 @@ struct SearchCriteria {
 
 class OrbitSearch {
  public:
-  // initial: [point of the tile][state]. Looks for so many periods at most. `engine` (null: there
-  // is nothing that could look) and the others outlive the search.
-  OrbitSearch(const Plan& plan, const Tile& tile, const std::vector<double>& initial,
-              std::size_t periods, OrbitEngine* engine);
+  // initial: [point of the tile][state]. Looks for so many periods at most. The orbits that it
+  // finds are those of orbit_plan, the same points with steps as short as `plan`'s or shorter.
+  // `engine` (null: there is nothing that could look) and the others outlive the search.
+  OrbitSearch(const Plan& plan, const Plan& orbit_plan, const Tile& tile,
+              const std::vector<double>& initial, std::size_t periods, OrbitEngine* engine);
 
   // Whether another advance() stays within these periods, and there is a point to settle. Never
   // with stop = "never".
@@ -79,9 +80,13 @@ class OrbitSearch {
   // Takes over the candidates that are arrived at, and gives up those that are not. False when the
   // callback asked to stop.
   bool take_arrivals(const RoundCallback& after_round);
+  // Takes orbits from the steps of the search to those of orbit_plan. One that is not there, or not
+  // stable, is no longer found.
+  bool refine(const OrbitPursuit::Attempts& arrivals, const RoundCallback& after_round);
   void close_points();
 
   const Plan& plan_;
+  const Plan& orbit_plan_;
   const Tile& tile_;
   const std::size_t periods_;  // of the search, at most
   OrbitEngine* engine_;

@@ -1,0 +1,17 @@
+#include "study/found_step.hpp"
+
+#include <fmt/format.h>
+
+namespace gearsweep {
+
+void FoundStep::give_to(Study* study) const {
+  study->integrate.max_step = max_step;
+  study->integrate.orbit_steps = study->selection.census ? 1 : orbit_steps;
+}
+
+std::vector<std::string> FoundStep::overrides() const {
+  return {"integrate.tolerance=0", fmt::format("integrate.max_step={}", max_step),
+          fmt::format("integrate.orbit_steps={}", orbit_steps)};
+}
+
+}  // namespace gearsweep
