@@ -90,7 +90,13 @@ Study with_windows(const Study& study, const TraceWindows& windows) {
     overrides.emplace_back("integrate.stop=never");
   }
   if (windows.record) add("record", *windows.record);
-  return overrides.empty() ? study : read_draft(study.toml, "study", overrides);
+  if (overrides.empty()) return study;
+  Study changed = read_draft(study.toml, "study", overrides);
+  // The step may be that of a map, which the text does not have.
+  changed.integrate.max_step = study.integrate.max_step;
+  changed.integrate.orbit_steps = study.integrate.orbit_steps;
+  changed.integrate.tolerance = study.integrate.tolerance;
+  return changed;
 }
 
 void settle_step(const std::optional<FoundStep>& pilot_step, Study* study) {

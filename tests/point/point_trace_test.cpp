@@ -63,6 +63,11 @@ TEST(PointTrace, CountsMeshPeriods) {
   EXPECT_EQ(with_windows(cracked(), {0, {}}).integrate.settle, 0U);
   EXPECT_EQ(with_windows(cracked(), {{}, {}}).toml, cracked().toml);
   EXPECT_EQ(with_windows(oscillator(), {7, 5}).integrate.record, 5U);
+  // A step that a map has found is not in the text.
+  Study found = oscillator();
+  settle_step(FoundStep{0.07, 4}, &found);
+  EXPECT_EQ(with_windows(found, {7, 5}).integrate.max_step, 0.07);
+  EXPECT_EQ(with_windows(found, {7, 5}).integrate.orbit_steps, 4U);
   EXPECT_EQ(traces_of(short_one, {}).traces.front().tau.size(), 19U * 32U);
 }
 
