@@ -3,15 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "borders/border_search.hpp"
 #include "explore/curve_messages.hpp"
 #include "explore/explored.hpp"
 #include "explore/explored_curves.hpp"
 #include "explore/explorer.hpp"
 #include "explore/linear_curves.hpp"
 #include "model/error.hpp"
+#include "plan/passive_states.hpp"
 #include "result/border_file.hpp"
 #include "result/border_plane.hpp"
 
@@ -59,6 +62,60 @@ TEST(ExploredCurves, OfNoCurvesOrOtherNumbersAreRefused) {
     EXPECT_THROW(read_borders(write_linear_curves(folder, damage)), InputError);
   }
   EXPECT_TRUE(read_borders(write_linear_curves(folder, Damage::no_curves)).curves.empty());
+}
+
+// A file of one flip of the coarse gear; search: the study with the model that it is of.
+std::string write_gear_curves(const Folder& folder, const Study& search) {
+  BorderFindings findings;
+  findings.study = search;
+  findings.steps = 256;
+  findings.ranges = {1.0, 1.0};
+  BorderCurve flip;
+  flip.kind = BorderKind::flip;
+  const auto states = static_cast<Eigen::Index>(search.model->states.size());
+  for (const double omega : {1.0, 1.1}) {
+    BorderPoint point;
+    point.place = {omega, 0.9};
+    point.state = Eigen::VectorXd::LinSpaced(states, 0.01, 0.02);
+    point.multipliers = Eigen::VectorXcd::Constant(states, 0.5);
+    flip.points.push_back(point);
+  }
+  findings.curves = {flip};
+  const std::string path = folder / "gear.nc";
+  write_borders(findings, path, {});
+  return path;
+}
+
+// A search leaves out the shafts that mirror others and what drives nothing; a trace has all.
+TEST(ExploredCurves, HaveTheStatesOfASearchAndOfItsMirror) {
+  const Folder folder;
+  const std::string text =
+      "[model]\nname = 'gear5'\npreset = 'coarse'\n"
+      "[[axes]]\nname = 'omega'\nfrom = 0.8\nto = 1.2\ncount = 3\n"
+      "[[axes]]\nname = 'b'\nfrom = 0.8\nto = 1.2\ncount = 3\n[observe]\nquantities = ['period']\n";
+  Study study = read_study(text, "test.toml");
+  study.separate_points();
+  const ExploredStudy base = explored(text);
+  EXPECT_THROW(read_explored_curves(write_gear_curves(folder, study), base.study), InputError);
+  const std::string path = write_gear_curves(folder, without_passive_states(study));
+  Explorer explorer(base, {.source = "test",
+                           .is_model = false,
+                           .devices = {},
+                           .curves = read_explored_curves(path, base.study)});
+  const BorderMotion border = explorer.border(*explorer.make_scene({}), {0, 1});
+  std::map<std::string, double> start;
+  for (const NamedValue& state : border.start) start[state.name] = state.value;
+  EXPECT_EQ(start.size(), 6U);
+  EXPECT_NE(start.at("x3"), 0.0);
+  EXPECT_EQ(start.at("x5"), -start.at("x3"));
+  EXPECT_EQ(start.at("v5"), -start.at("v3"));
+  ASSERT_TRUE(border.motion.trace);
+  for (const auto& [name, value] : start) {
+    const int state = study.model->find_state(name);
+    EXPECT_EQ(border.motion.trace->values[static_cast<std::size_t>(state)].front(), value) << name;
+  }
+  EXPECT_THAT(border.motion.notes.back(), HasSubstr("x2, x4, v2, v4 drive nothing"));
+  EXPECT_GT(border.gap, 1e-3);  // what this file has is no orbit
 }
 
 // Functions of the phase are no numbers of a setting.
