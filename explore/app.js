@@ -254,7 +254,8 @@ function draw() {
   const near = pointer && curves.at(view, ...pointer);
   mapCanvas.style.cursor = near ? "pointer" : "";
   readout.show(point, scene, axes, colors.look.quantity, near ? near.name : "");
-  const line = statusLine(axes, view, loader.left, speed, comesFirst(keeper, previewer), countsText(statistics.counts));
+  const line = statusLine(axes, view, loader.left, speed, comesFirst(keeper, previewer),
+    countsText(statistics.counts));
   if (byId("status").textContent !== line) byId("status").textContent = line;
   if (settled()) past.quiet();
 }

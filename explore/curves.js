@@ -76,7 +76,8 @@ export class Curves {
     this.lines = null;
     this.drawn = "";
     if (scene.has_curves && told) {
-      const share = (n, curve) => (axes[n].name === told.x ? curve.x : curve.y).map((value) => axes[n].share(value));
+      const share = (n, curve) => (axes[n].name === told.x ? curve.x : curve.y)
+        .map((value) => axes[n].share(value));
       this.lines = told.curves.map((curve, index) => ({ kind: curve.kind, period: curve.period, index,
         x: share(0, curve), y: share(1, curve), stretches: curve.stretches }));
     }
