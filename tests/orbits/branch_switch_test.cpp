@@ -101,6 +101,27 @@ TEST(BranchSwitch, GoesThroughThePublishedCascadeOfDuffingsWell) {
             1e-8);
 }
 
+// A pendulum whose pivot is shaken rests, but between two flips. The branch that leaves at one of
+// them comes back at the other, by way of a fold, and is followed once.
+TEST(BranchSwitch, FollowsABranchThatComesBackOnce) {
+  const Example example("shaken_pendulum", {{"amplitude", 0.06}, {"omega", 2.9}});
+  const FollowRequest request = {
+      example.model, example.setting, parameter_index(*example.model, "omega"), 1.2, 2.9, kFewSteps,
+      false};
+  const Branch rest = follow_orbit(request, example.orbit_from({0.0, 0.0}, 10, kFewSteps));
+  ASSERT_EQ(rest.bifurcations.size(), 2U);
+  const std::vector<LeavingBranch> leaving = follow_leaving(request, {rest}, 1);
+  ASSERT_EQ(leaving.size(), 1U);
+  EXPECT_EQ(leaving[0].origin.parameter, rest.bifurcations[0].parameter);
+  ASSERT_EQ(leaving[0].branches.size(), 1U);
+  const std::vector<LocatedBifurcation>& met = leaving[0].branches[0].bifurcations;
+  ASSERT_EQ(met.size(), 2U);
+  EXPECT_EQ(met[0].kind, Bifurcation::fold);
+  EXPECT_EQ(met[1].born_of, 1U);
+  // From both branches it is located to 1e-9 of the range or a few times that.
+  EXPECT_NEAR(met[1].parameter, rest.bifurcations[1].parameter, 5e-8);
+}
+
 // A linear motion doubles its period at one value of the parameter, whatever its size: no direction
 // leads away, and none is made up.
 TEST(BranchSwitch, FindsNoBranchOfALinearMotion) {
