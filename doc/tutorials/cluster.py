@@ -1,8 +1,8 @@
 # %% [markdown]
 # # A study on a cluster
 #
-# You share a study out among workers, lose some of them, and get the same bits as from one run. The workers
-# here are processes of this machine; `executor=client.get_executor()` of Dask takes their place on a cluster.
+# You distribute a study over workers, lose a worker, and still get the same bits as from one run. The workers
+# here are processes of this machine. On a cluster give `executor=client.get_executor()` of Dask instead.
 
 # %%
 from concurrent.futures import ProcessPoolExecutor
@@ -22,8 +22,8 @@ whole = study.run(progress=None)
 # %% [markdown]
 # ## Shards
 #
-# Each of `shards` is a part of the points that one worker computes by itself. With `journal` what is finished
-# is kept. Here a worker is killed while it computes, as by a cluster that takes its node away.
+# The points are divided into `shards` parts. A worker computes one shard at a time. With `journal` finished
+# shards are kept. Here we kill a worker while it computes, as a cluster does when it takes a node away.
 
 # %%
 killed = []
@@ -43,7 +43,7 @@ except gs.RunError as error:
     print(error)
 
 # %% [markdown]
-# The same call computes the missing shards alone.
+# The same call again computes only the missing shards.
 
 # %%
 with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as pool:
@@ -54,7 +54,7 @@ print("the same bits as of one run")
 # %% [markdown]
 # ## Without Python on the nodes
 #
-# `gearsweep slurm` prints a job array for Slurm. A job that is preempted goes on when it is requeued.
+# `gearsweep slurm` prints a job array for Slurm. A preempted job is put back into the queue, and continues.
 
 # %%
 # !gearsweep slurm coarse-map --jobs 4 -o map.nc | head -n 30

@@ -1,16 +1,16 @@
 # %% [markdown]
 # # From a drawing to the report
 #
-# You begin with the numbers of teeth and the module of a gear pair, see what follows from them, and make the
-# page that goes to a colleague. A line that begins with `!` is a command of the terminal.
+# You begin with the tooth numbers and the module of a gear pair, see what follows from them, and write a report
+# for a colleague. A line that begins with `!` is a command of the terminal.
 
 # %%
 # !gearsweep gear new 19/61 --module 2.5 -o pair.toml
 # !gearsweep gear pair.toml
 
 # %% [markdown]
-# Every number that you did not give is an estimate, and the file says at each how it came about. Open
-# `pair.toml`, and replace what your drawing has.
+# Every number that you did not give is an estimate. The file says how each estimate was made. Open `pair.toml`,
+# and replace the numbers that your drawing has.
 
 # %%
 import gearsweep as gs
@@ -37,8 +37,8 @@ plt.show()
 # %% [markdown]
 # ## The report
 #
-# One page with the worst speeds, the critical ones, an order map and all that was assumed
-# ([what it has](../report.md)). `-o pair.pdf` prints it, where Chromium is.
+# The report is one page with the worst speeds, the critical speeds, an order map and all assumptions
+# ([contents](../report.md)). If you have Chromium, `-o pair.pdf` writes a PDF.
 
 # %%
 # !gearsweep report pair.toml --set axes.pinion_speed_rpm.count=40 -o pair.html

@@ -1,8 +1,8 @@
 # %% [markdown]
 # # A rotor of your own that rubs
 #
-# You write down the equations of an unbalanced rotor in a stator with clearance, check them against a closed
-# form, and see where the rub is no longer periodic.
+# You write the equations of an unbalanced rotor in a stator with clearance, check them against a closed form,
+# and see where the motion with rubbing is no longer periodic.
 
 # %%
 import gearsweep as gs
@@ -22,14 +22,14 @@ rotor = gs.Model(
 print(rotor)
 
 # %% [markdown]
-# `stop(r, gap)` is how far `r` is beyond the gap, and zero before. The program finds where it bends, and the
-# integration keeps its order there. Friction acts against `slide`, the speed of the disc's surface, and fades
-# where the disc rolls. With a constant `mu` in its place, a rotor that whirls backwards would gain energy for
-# ever: try it.
+# `stop(r, gap)` is `r - gap` if `r` is larger than the gap, otherwise 0. The program finds this corner, and the
+# integration keeps its order there. Friction acts against `slide`, the speed of the disc's surface at the
+# contact, and becomes 0 if the disc rolls. If you replace `rub` by the constant `mu`, a rotor that whirls
+# backwards gains energy without end: try it.
 #
 # ## Is it right?
 #
-# The step is found from the motions. Without rubbing the rotor is linear: the deflection is
+# The program finds the integration step by itself. Without rubbing the rotor is linear, and its deflection is
 # $e\,\omega^2/\sqrt{(1-\omega^2)^2 + (2\zeta\omega)^2}$.
 
 # %%
@@ -44,7 +44,7 @@ assert error < 1e-5
 # %% [markdown]
 # ## Where does it rub, and how?
 #
-# A load, as of weight, makes it rub for a part of each turn.
+# A constant load, such as the weight, makes the rotor rub for a part of each turn.
 
 # %%
 study = (

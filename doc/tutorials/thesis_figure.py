@@ -1,8 +1,8 @@
 # %% [markdown]
 # # A figure for a thesis
 #
-# You sweep a gear pair over its mesh frequency, see two quantities above each other, and write a figure that
-# has the size of a column and the letters of the text. It takes a minute.
+# You sweep a gear pair over its mesh frequency, draw two quantities one above the other, and write a figure
+# with the width of a column and the font of the text. It takes a minute.
 
 # %%
 import gearsweep as gs
@@ -14,8 +14,8 @@ plt.rcParams.update({"font.size": 9, "font.family": "serif"})
 # %% [markdown]
 # ## The gear, and what to ask of it
 #
-# `coarse` is a preset of the built-in model. `poincare` keeps the state once in each mesh period, and
-# `lyapunov_max` tells whether neighbouring motions part: above zero, the motion is chaotic.
+# `coarse` is a preset of the built-in model. `poincare` keeps the state once in each mesh period.
+# `lyapunov_max` is the rate at which neighbouring motions separate. If it is above 0, the motion is chaotic.
 
 # %%
 study = (
@@ -30,8 +30,8 @@ maps
 # %% [markdown]
 # ## The figure
 #
-# Two axes share the mesh frequency. `gear.plot` draws what the command `gearsweep plot` draws, on axes of
-# yours, so all that matplotlib has is at hand.
+# Two panels share the axis of the mesh frequency. `gear.plot` draws the same pictures as the command
+# `gearsweep plot`, but on matplotlib axes of yours. So you can change them by all means of matplotlib.
 
 # %%
 figure, (above, below) = plt.subplots(2, 1, figsize=(3.5, 4.0), sharex=True, layout="constrained")
@@ -43,10 +43,10 @@ figure.savefig("thesis.pdf")
 plt.show()
 
 # %% [markdown]
-# ## What to write below it
+# ## The numbers for the caption
 #
-# The numbers of the caption come from the result, not from the eye. The file keeps the study, so the figure
-# can be computed again: `gearsweep run thesis.nc`.
+# Take the numbers of the caption from the result, not from the picture. The file contains the study, so you can
+# compute the figure again: `gearsweep run thesis.nc`.
 
 # %%
 chaotic = (maps.lyapunov_max > 0.01).mean().item()
