@@ -253,6 +253,8 @@ bool holds_borders(const std::string& path) {
 
 namespace {
 
+constexpr double kMaxPeriod = 4096.0;  // far above what a search looks at
+
 // Reads a file of curves; whatever is not as write_borders() leaves it refuses the file.
 class BorderReader {
  public:
@@ -279,7 +281,7 @@ class BorderReader {
     for (std::size_t i = 0; i < counts.size(); ++i) {
       const double left = static_cast<double>(places_.size() - next);
       if (!(counts[i] >= 0.0 && counts[i] <= left)) refuse();
-      if (!(periods[i] >= 1.0 && periods[i] <= 1e6) || !is_kind(kinds[i])) refuse();
+      if (!(periods[i] >= 1.0 && periods[i] <= kMaxPeriod) || !is_kind(kinds[i])) refuse();
       const std::size_t end = next + static_cast<std::size_t>(counts[i]);
       out.curves.push_back({.kind = kinds[i],
                             .period = static_cast<int>(periods[i]),
