@@ -4,6 +4,7 @@ import { Axis, drawAxes } from "./axes.js";
 import { ColorState } from "./colorstate.js";
 import { Contours } from "./contours.js";
 import { Controls } from "./controls.js";
+import { Curves } from "./curves.js";
 import { setUpExports } from "./exports.js";
 import { Layers } from "./layers.js";
 import { drawLegend } from "./legend.js";
@@ -11,14 +12,15 @@ import { Diagram } from "./diagram.js";
 import { decode, drawnText, encode, History } from "./link.js";
 import { Loader } from "./loader.js";
 import { MotionPanel } from "./motion.js";
-import { drawMarks, Painter } from "./paint.js";
+import { drawMarks, marksOf, Painter } from "./paint.js";
 import { setUpPointer } from "./pointer.js";
 import { Previewer } from "./preview.js";
 import { pointAt, Readout } from "./readout.js";
 import { SceneKeeper } from "./scene.js";
+import { watchStage } from "./stage.js";
 import { Sliders } from "./sliders.js";
 import { countsText, Statistics } from "./statistics.js";
-import { statusLine, tellTrouble } from "./status.js";
+import { comesFirst, statusLine, tellTrouble } from "./status.js";
 import { Strip } from "./strip.js";
 import { setUpTheme, themeStyle } from "./theme.js";
 import { neededTiles, TileCache } from "./tiles.js";
@@ -37,6 +39,9 @@ const painter = new Painter(mapCanvas, cache, layers, (wait) => setTimeout(reque
 const colors = new ColorState(cache, layers, view, painter);
 const statistics = new Statistics(requestFrame);
 const contours = new Contours(byId("lines"), requestFrame);
+const curves = new Curves(byId("curves-map"), byId("curves"), {
+  onFrame: requestFrame, onState: stateChanged,
+});
 const readout = new Readout(byId("readout"), byId("live"));
 const walker = new Walker(view);
 
@@ -131,7 +136,7 @@ const units = setUpUnits(byId("units"), () => {
   colors.legendOld = true;
   stateChanged();
 });
-const drawn = () => ({ contours: contours.name, si: units.si });
+const drawn = () => ({ contours: contours.name, si: units.si, curves: curves.shown });
 
 // The values of the axes at the open motion, or at the crosshair: other axes begin there.
 function openPlace() {
@@ -165,6 +170,7 @@ function takeScene(next, wantedView) {
   units.show(next);
   sliders.show(next);
   askForRanges(next);
+  curves.setScene(next, axes);
   colors.renew(next);
   if (!keeper.dragging) motion.setScene(next);
   viewChanged();
@@ -234,18 +240,22 @@ function draw() {
   if (painter.draw(view, scene.key, k, colors.map, style)) requestFrame();
   tickLabels = drawAxes(byId("xticks"), byId("yticks"), axes, view, style, painter.ratio);
   contours.follow(cache, layers, scene, view, painter.ratio);
+  curves.draw(view, painter.ratio);
   if (statistics.follow(cache, layers, scene, view, k)) colors.legendOld = true;
   if (colors.legendOld) {
     drawLegend(byId("legend"), legendFacts(), view.height, style, painter.ratio);
     colors.legendOld = false;
   }
-  drawMarks(byId("marks"), view, marks(), painter.ratio);
+  drawMarks(byId("marks"), view, marksOf(motion, walker, scene), painter.ratio);
   diagram.draw(style, painter.ratio);
   diagram.mark(byId("marks"), painter.ratio);
   const at = readoutPlace();
   const point = diagram.point() || (at ? pointAt(cache, layers, scene, axes, view, at[0], at[1]) : null);
-  readout.show(point, scene, axes, colors.look.quantity);
-  const line = statusLine(axes, view, loader.left, speed, comesFirst(), countsText(statistics.counts));
+  const near = pointer && curves.at(view, ...pointer);
+  mapCanvas.style.cursor = near ? "pointer" : "";
+  readout.show(point, scene, axes, colors.look.quantity, near ? near.name : "");
+  const line = statusLine(axes, view, loader.left, speed, comesFirst(keeper, previewer),
+    countsText(statistics.counts));
   if (byId("status").textContent !== line) byId("status").textContent = line;
   if (settled()) past.quiet();
 }
@@ -256,21 +266,6 @@ function legendFacts() {
     error: counts ? counts.error : null, contours: contours.title(scene) };
 }
 
-function comesFirst() {
-  if (keeper.dragging) return "Previews, until the slider rests.";
-  if (keeper.busy) return "A new scene is being prepared.";
-  if (previewer.fileScene) return "The numbers of the file come first.";
-  return previewer.busy ? "A quick preview comes first." : "";
-}
-
-function marks() {
-  const list = motion.pins.filter((pin) => pin.scene === scene.key).map((pin) => (
-    { cell: pin.cell, kind: "ring", color: pin.color }));
-  if (motion.cell) list.push({ cell: motion.cell, kind: "ring", color: motion.color });
-  if (walker.cell) list.push({ cell: walker.cell, kind: "cross", color: "#fff" });
-  return list;
-}
-
 function readoutPlace() {
   if (!pointer) return walker.cell ? cellShares(walker.cell) : null;
   const at = view.toShare(...pointer);
@@ -279,16 +274,18 @@ function readoutPlace() {
 
 function settled() {
   return scene !== null && !loader.busy && !keeper.busy && !motion.busy && !diagram.busy && !clickPending &&
-    !frame && !previewer.busy && !statistics.old && !contours.timer &&
+    !frame && !previewer.busy && !statistics.old && !contours.timer && !curves.busy &&
     loader.left === 0 && !colors.fitting && neededTiles(cache, scene.key, view, speed, [0, 0]).length === 0;
 }
 
-function clickAt(px, py) {
+function clickAt(px, py, pointerType) {
   if (!scene) return;
   const at = view.toShare(px, py);
   if (!view.inWorld(...at)) return;
   const point = pointAt(cache, layers, scene, axes, view, at[0], at[1]);
-  motion.open(scene, point && point.cell ? point.cell : view.cellAt(view.targetDepth(), at[0], at[1]));
+  const border = curves.at(view, px, py, pointerType);
+  if (border) motion.open(scene, border);
+  else motion.open(scene, point && point.cell ? point.cell : view.cellAt(view.targetDepth(), at[0], at[1]));
   past.changed();
 }
 
@@ -332,6 +329,7 @@ function goTo(hash) {
   Object.assign(colors.look, wanted.look);
   if (contours.name !== wanted.drawn.contours) contours.choose(wanted.drawn.contours);
   units.choose(wanted.drawn.si);
+  curves.choose(wanted.drawn.curves);
   colors.legendOld = true;
   controls.showLook();
   past.arrived();
@@ -372,27 +370,16 @@ setUpExports({
   get scene() { return scene; },
   get axes() { return axes; },
   get contours() { return contours.made && contours.made.groups; },
+  get curves() { return curves.inView(view); },
   legend: legendFacts,
 }, motion);
 
-new ResizeObserver(() => {
-  const width = byId("mapbox").clientWidth;
-  const height = byId("mapbox").clientHeight;
-  if (width < 2 || height < 2) return;
-  view.width = width;
-  view.height = height;
-  painter.resize(width, height);
-  for (const id of ["lines", "marks"]) {
-    byId(id).width = mapCanvas.width;
-    byId(id).height = mapCanvas.height;
-  }
-  for (const id of ["map", "lines", "marks", "xticks"]) byId(id).style.width = width + "px";
-  for (const id of ["map", "lines", "marks", "yticks", "legend"]) byId(id).style.height = height + "px";
+watchStage(view, painter, () => {
   if (scene) view.clamp();
   colors.legendOld = true;
   loader.refresh();
   requestFrame();
-}).observe(byId("mapbox"));
+});
 
 // For tests of the page.
 window.gearsweepExplorer = {
@@ -402,6 +389,7 @@ window.gearsweepExplorer = {
   valueAt: (px, py) => scene && pointAt(cache, layers, scene, axes, view, ...view.toShare(px, py)),
   click: clickAt,
   diagram: () => diagram.told(),
+  curves: () => curves.points(view),
   frameMilliseconds: () => painter.lastMilliseconds,
 };
 

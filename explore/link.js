@@ -1,9 +1,9 @@
 // The state of the page in the link, and the history of the browser.
 
-// What is drawn beside the colours: { contours, si }.
+// What is drawn beside the colours: { contours, si, curves }.
 export function drawnText(drawn) {
   return (drawn.contours ? "&" + new URLSearchParams({ contours: drawn.contours }) : "") +
-    (drawn.si ? "&si=1" : "");
+    (drawn.si ? "&si=1" : "") + (drawn.curves ? "" : "&curves=0");
 }
 
 // pane: { along, state } of the diagram, or null.
@@ -19,6 +19,7 @@ export function encode(keeper, view, look, cell, pane, drawn) {
   if (look.scale === "fixed") query.set("ends", look.low + "," + look.high);
   if (look.palette !== "auto") query.set("palette", look.palette);
   if (cell) query.set("at", [cell.depth, cell.kx, cell.ky].join(","));
+  if (cell && cell.curve !== undefined) query.set("curve", [cell.curve, cell.point].join(","));
   if (pane) query.set("diagram", pane.along);
   if (pane && pane.state !== "") query.set("state", pane.state);
   return "#" + query + drawnText(drawn);
@@ -27,6 +28,13 @@ export function encode(keeper, view, look, cell, pane, drawn) {
 function numbers(text, count) {
   const list = (text || "").split(",").map(Number);
   return text && list.length === count && list.every(Number.isFinite) ? list : null;
+}
+
+// of: the curve and its point that an open orbit is of, or null.
+function cellOf(place, of) {
+  if (!place) return null;
+  const cell = { depth: place[0], kx: place[1], ky: place[2] };
+  return of ? { ...cell, curve: of[0], point: of[1] } : cell;
 }
 
 export function decode(hash) {
@@ -39,7 +47,7 @@ export function decode(hash) {
   }
   const view = numbers(query.get("view"), 4);
   const ends = numbers(query.get("ends"), 2);
-  const cell = numbers(query.get("at"), 3);
+  const cell = cellOf(numbers(query.get("at"), 3), numbers(query.get("curve"), 2));
   const scale = ["log", "quantiles", "fixed"].includes(query.get("scale")) ? query.get("scale") : "linear";
   const look = { scale, palette: query.get("palette") || "auto" };
   if (query.get("q")) look.quantity = query.get("q");
@@ -48,8 +56,9 @@ export function decode(hash) {
     changes: { sets, x: query.get("x"), y: query.get("y") },
     view: view && view[2] > 0 && view[3] > 0 ? { x0: view[0], y0: view[1], sx: view[2], sy: view[3] } : null,
     pane: query.has("diagram") ? { along: query.get("diagram"), state: query.get("state") || "" } : null,
-    drawn: { contours: query.get("contours") || "", si: query.get("si") === "1" },
-    look, cell: cell && { depth: cell[0], kx: cell[1], ky: cell[2] },
+    drawn: { contours: query.get("contours") || "", si: query.get("si") === "1",
+      curves: query.get("curves") !== "0" },
+    look, cell,
   };
 }
 

@@ -41,10 +41,13 @@ export class MotionPanel {
     else this.close(false);
   }
 
-  async open(scene, cell) {
+  // cell: with the curve and the point of it that an orbit is of, where a scene has curves.
+  async open(scene, wanted) {
+    const { depth, kx, ky } = wanted;
+    const cell = scene.has_curves ? wanted : { depth, kx, ky };
     if (this.abort) this.abort.abort();
     const same = this.shown && this.data && this.scene && this.scene.key === scene.key && this.cell &&
-      ["depth", "kx", "ky"].every((field) => this.cell[field] === cell[field]);
+      ["depth", "kx", "ky", "curve", "point"].every((field) => this.cell[field] === cell[field]);
     this.abort = null;
     if (same) return;
     this.slow.stop();
@@ -55,11 +58,13 @@ export class MotionPanel {
     this.shown = true;
     this.element.hidden = false;
     // On a narrow page it stands below the map.
-    if (window.innerWidth <= 1000) this.element.scrollIntoView({ block: "nearest" });
+    const wide = window.innerWidth;
+    if (wide <= 1000) this.element.scrollIntoView({ block: wide <= 700 ? "start" : "nearest" });
     this.view.wait();
     this.job.onChange();
     try {
-      const data = await getJson("motion?" + this.query(), abort.signal);
+      const what = cell.curve === undefined ? "motion?" : "border?";
+      const data = await getJson(what + this.query(), abort.signal);
       if (this.abort !== abort) return;
       this.data = data;
       this.view.show(data, this.layers(), this.pins, scene);
@@ -75,8 +80,9 @@ export class MotionPanel {
   }
 
   query() {
-    return new URLSearchParams({ scene: this.scene.key, depth: this.cell.depth, kx: this.cell.kx,
-      ky: this.cell.ky });
+    const { depth, kx, ky, curve, point } = this.cell;
+    return new URLSearchParams({ scene: this.scene.key,
+      ...(curve === undefined ? { depth, kx, ky } : { curve, point }) });
   }
 
   // The motion is shown meanwhile.

@@ -174,7 +174,7 @@ export class MotionView {
         color: layer.color, dots: 3.2, name: layer.name + ", section" });
     }
     curves.push(...this.starts.curves(this.data.starts, [x, y]));
-    this.starts.show(this.data.starts, [x, y]);
+    this.starts.show(this.data.starts, [x, y], !this.data.is_border);
     this.phase.plot.set(curves, this.title(x), this.title(y));
   }
 

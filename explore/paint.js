@@ -143,6 +143,15 @@ export class Painter {
   }
 }
 
+// The marks of a scene.
+export function marksOf(motion, walker, scene) {
+  const list = motion.pins.filter((pin) => pin.scene === scene.key).map((pin) => (
+    { cell: pin.cell, kind: "ring", color: pin.color }));
+  if (motion.cell) list.push({ cell: motion.cell, kind: "ring", color: motion.color });
+  if (walker.cell) list.push({ cell: walker.cell, kind: "cross", color: "#fff" });
+  return list;
+}
+
 // Marks over the map: the point of the open motion, the pins, and the crosshair of the keyboard.
 export function drawMarks(canvas, view, marks, ratio) {
   const pen = canvas.getContext("2d");

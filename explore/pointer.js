@@ -2,7 +2,7 @@
 
 const clickWait = 230;
 
-// act: pan(dx, dy), zoom(px, py, factorX, factorY), hover(px, py) or hover(null), click(px, py),
+// act: pan(dx, dy), zoom(px, py, factorX, factorY), hover(px, py) or hover(null), click(px, py, pointer type),
 // walk(dx, dy), open(), zoomKey(factor), panKey(dx, dy), home(), leave(), waiting(boolean)
 export function setUpPointer(canvas, act) {
   const down = new Map();
@@ -50,6 +50,7 @@ export function setUpPointer(canvas, act) {
   const up = (event) => {
     if (!down.delete(event.pointerId) || moved >= 4 || event.type === "pointercancel") return;
     const [px, py] = place(event);
+    const type = event.pointerType;
     if (clickTimer) {
       forgetClick();
       act.zoom(px, py, 0.5, 0.5);
@@ -58,7 +59,7 @@ export function setUpPointer(canvas, act) {
     act.waiting(true);
     clickTimer = setTimeout(() => {
       forgetClick();
-      act.click(px, py);
+      act.click(px, py, type);
     }, clickWait);
   };
   canvas.addEventListener("pointerup", up);

@@ -58,7 +58,8 @@ export class Readout {
     this.text = "";
   }
 
-  show(point, scene, axes, shown) {
+  // near: the curve at the pointer, or "".
+  show(point, scene, axes, shown, near) {
     const rows = [];
     if (point) {
       for (const axis of axes) {
@@ -68,6 +69,7 @@ export class Readout {
       for (const quantity of scene.quantities) {
         rows.push([quantity.name, valueText(quantity, point.values[quantity.name]), quantity.name === shown]);
       }
+      if (near) rows.push(["curve", near + ", a click opens its orbit", true]);
       rows.push(["status", statusText(point.status)]);
       if (origins[point.origin]) rows.push(["point", origins[point.origin]]);
     }

@@ -14,13 +14,15 @@ export class Starts {
     this.button = button("other starts", "look for other motions at this point, from other starts", onAsk);
     this.list = make("div", undefined, "keys");
     this.list.setAttribute("role", "status");
-    const row = make("div", undefined, "keys");
-    row.append(this.button, this.list);
-    box.append(row);
+    this.row = make("div", undefined, "keys");
+    this.row.append(this.button, this.list);
+    box.append(this.row);
   }
 
-  // told: nothing, { waiting }, { trouble } or the server's answer. names: the channels of the portrait.
-  show(told, names) {
+  // told: nothing, { waiting }, { trouble } or the server's answer. names: the channels of the portrait. There are
+  // none for an orbit on a curve.
+  show(told, names, some) {
+    this.row.hidden = !some;
     this.button.disabled = Boolean(told && told.waiting);
     if (!told || !told.attractors) {
       const text = !told ? "" : told.waiting ? "computing motions from other starts" : told.trouble;

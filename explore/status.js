@@ -28,6 +28,14 @@ function thinText(axes, view, depth) {
     : " Along " + thin.join(" and ") + " the view is thinner than a cell: the map shows points beside it.";
 }
 
+// A sentence on what comes before the tiles, or "".
+export function comesFirst(keeper, previewer) {
+  if (keeper.dragging) return "Previews, until the slider rests.";
+  if (keeper.busy) return "A new scene is being prepared.";
+  if (previewer.fileScene) return "The numbers of the file come first.";
+  return previewer.busy ? "A quick preview comes first." : "";
+}
+
 // first: a sentence that says what comes before the tiles, or "". counts: about the points in view.
 export function statusLine(axes, view, left, speed, first, counts) {
   let text = "All points are there.";

@@ -1,4 +1,4 @@
-// Writes SVG with those methods of a canvas context that the axes, the legend and the contours use.
+// Writes SVG with those methods of a canvas context that the axes, the legend, the contours and the curves use.
 
 const escapes = { "&": "&amp;", "<": "&lt;", ">": "&gt;", "\"": "&quot;" };
 const escaped = (text) => String(text).replace(/[&<>"]/g, (letter) => escapes[letter])
@@ -18,6 +18,8 @@ export class SvgPen {
     this.fillStyle = this.strokeStyle = "black";
     this.lineWidth = 1;
     this.lineJoin = "miter";
+    this.dashes = [];
+    this.lineDashOffset = 0;
     this.font = "10px sans-serif";
     this.textAlign = "left";
     this.textBaseline = "alphabetic";
@@ -52,6 +54,8 @@ export class SvgPen {
   translate(x, y) { this.group(`transform="translate(${places(x)} ${places(y)})"`); }
   rotate(angle) { this.group(`transform="rotate(${places(angle * 180 / Math.PI)})"`); }
 
+  setLineDash(lengths) { this.dashes = lengths; }
+
   beginPath() { this.path = ""; }
   moveTo(x, y) { this.path += "M" + places(x) + " " + places(y); }
   lineTo(x, y) { this.path += "L" + places(x) + " " + places(y); }
@@ -69,7 +73,13 @@ export class SvgPen {
   stroke() {
     if (this.path === "") return;
     this.out.push(`<path d="${this.path}" fill="none" stroke="${escaped(this.strokeStyle)}" ` +
-      `stroke-width="${this.lineWidth}" stroke-linejoin="${this.lineJoin}"/>`);
+      `stroke-width="${this.lineWidth}" stroke-linejoin="${this.lineJoin}"${this.dashText()}/>`);
+  }
+
+  dashText() {
+    if (this.dashes.length === 0) return "";
+    return ` stroke-dasharray="${this.dashes.map(places).join(" ")}" ` +
+      `stroke-dashoffset="${places(this.lineDashOffset)}"`;
   }
 
   box(x, y, width, height, attributes) {

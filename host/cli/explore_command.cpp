@@ -12,9 +12,11 @@
 #include "cli/detail/stop_on_signals.hpp"
 #include "cli/detail/study_source.hpp"
 #include "cli/standard_streams.hpp"
+#include "explore/explored_curves.hpp"
 #include "explore/result_data.hpp"
 #include "explore/server.hpp"
 #include "model/error.hpp"
+#include "result/broken_file.hpp"
 #include "result/result_file.hpp"
 #include "result/study_source.hpp"
 #include "study/builtin_models.hpp"
@@ -26,7 +28,7 @@ namespace gearsweep {
 namespace {
 
 struct ExploreArguments {
-  std::string study, device;
+  std::string study, curves, device;
   std::vector<std::string> overrides;
   std::size_t port = 0, megabytes = 512;
   bool opens_browser = true, quiet = false;
@@ -97,6 +99,10 @@ int run(const ExploreArguments& arguments, SignalWatch* signals) {
   if (is_netcdf(arguments.study) && arguments.overrides.empty()) {
     options.data = read_result_data(arguments.study, study);
   }
+  if (!arguments.curves.empty()) {
+    ensure_not_broken(arguments.curves);
+    options.curves = read_explored_curves(arguments.curves, study);
+  }
   const ExploredStudy base = {study, step_of(arguments, study, sweep), whole.axes.size() == 1};
   Explorer explorer(base, options);
   ExploreServer server(&explorer, static_cast<int>(arguments.port), token);
@@ -116,6 +122,10 @@ void add_explore_command(CLI::App* app, SignalWatch* signals, int* status) {
   const auto arguments = std::make_shared<ExploreArguments>();
   add_study_argument(command, &arguments->study, ", whose step is taken");
   command
+      ->add_option("--curves", arguments->curves,
+                   "Bifurcation curves that gearsweep curves found, drawn over the map")
+      ->type_name(kResultValue);
+  command
       ->add_option("--port", arguments->port,
                    "A port of this machine's own address (default: any that is free)")
       ->type_name(kNumberValue)
@@ -133,6 +143,7 @@ void add_explore_command(CLI::App* app, SignalWatch* signals, int* status) {
       "Examples:\n"
       "  gearsweep explore coarse-chaos\n"
       "  gearsweep explore map.nc                   with the step of that map\n"
+      "  gearsweep explore map.nc --curves curves.nc\n"
       "  gearsweep explore my-model.toml            a model's file: two of its parameters\n"
       "  gearsweep explore mine.toml --set parameters.mu=0 --no-browser --port 8000\n\n"
       "The page computes what it shows: zooming gives the map anew at the new resolution, a click\n"

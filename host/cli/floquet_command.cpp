@@ -23,6 +23,7 @@ struct FloquetArguments {
   std::vector<std::string> at, overrides;
   std::string device;
   std::optional<std::size_t> period, steps;
+  std::size_t generations = 0;
   bool is_equilibrium = false, as_json = false;
 };
 
@@ -44,7 +45,8 @@ OrbitFindings compute(const FloquetArguments& arguments) {
                           .range_origin = "--along",
                           .period = arguments.period,
                           .steps = arguments.steps,
-                          .is_equilibrium = arguments.is_equilibrium};
+                          .is_equilibrium = arguments.is_equilibrium,
+                          .generations = arguments.generations};
   if (!arguments.along.empty()) {
     request.range = read_range(*whole.model, arguments.along);
     request.each_orbit = tell_branch(whole.model->parameters[request.range->parameter].name);
@@ -67,11 +69,19 @@ void add_floquet_command(CLI::App* app) {
                    "Where to look: a value for each axis of the study, and for other parameters; "
                    "taken as it is, also between the points of a map")
       ->delimiter(',');
+  CLI::Option* const along =
+      command
+          ->add_option("--along", arguments->along,
+                       "Follow the orbit and locate its bifurcations; starts where --at says, or "
+                       "else at FROM")
+          ->type_name("NAME=FROM:TO");
   command
-      ->add_option("--along", arguments->along,
-                   "Follow the orbit and locate its bifurcations; starts where --at says, or else "
-                   "at FROM")
-      ->type_name("NAME=FROM:TO");
+      ->add_option("--switch", arguments->generations,
+                   "With --along: follow also what leaves at flips and where branches cross (a "
+                   "symmetry breaks), what leaves those branches, and so on, N times (default: 0)")
+      ->type_name(kNumberValue)
+      ->check(whole_number(0, 12))
+      ->needs(along);
   command
       ->add_option("--period", arguments->period,
                    "The orbit's length in forcing periods; where nothing drives the model, in "
@@ -100,7 +110,8 @@ void add_floquet_command(CLI::App* app) {
       "Examples:\n"
       "  gearsweep floquet coarse-map --at omega=0.7,e0=0.5\n"
       "  gearsweep floquet coarse-map --at omega=0.7,e0=0.5 --along omega=0.6:0.8\n"
-      "  gearsweep floquet coarse-map --at omega=0.55,e0=0.6 --period 1   an orbit inside chaos\n\n"
+      "  gearsweep floquet coarse-map --at omega=0.55,e0=0.6 --period 1   an orbit inside chaos\n"
+      "  gearsweep floquet pendulum-cascade --along damping=0.75:0.72 --switch 3   to period 8\n\n"
       "  gearsweep floquet my-brusselator --at b=2.5 --along b=2.5:1.8   a cycle, to its birth\n"
       "  gearsweep floquet my-lorenz --at x=8,y=8,z=20 --equilibrium --along rho=20:28\n\n"
       "The engine settles the motion; Newton's method on the period map finds the orbit. Where\n"

@@ -82,6 +82,10 @@ const ResultData* Explorer::data(const Scene& scene) const {
   return options_.data && scene.key() == data_key_ ? &*options_.data : nullptr;
 }
 
+std::optional<PlaneDifference> Explorer::difference_of_curves(const Scene& scene) const {
+  return options_.curves ? plane_difference(options_.curves->study, scene.study()) : std::nullopt;
+}
+
 std::optional<StripMaps> Explorer::strip(const Scene& scene, const Line& line, const Strip& strip,
                                          const std::atomic<bool>& stop) {
   return compute_strip(scene, line, strip, sweep_options(kOfTiles, &stop));
@@ -115,6 +119,10 @@ ReachedAttractors Explorer::starts(const Scene& scene, const Cell& cell, std::si
       look_at_starts(scene, cell, count, sweep_options(kOfMotions));
   if (!found) throw RunError("interrupted");
   return *std::move(found);
+}
+
+BorderMotion Explorer::border(const Scene& scene, const CurvePlace& place) {
+  return find_border_motion(scene, *options_.curves, place, sweep_options(kOfMotions));
 }
 
 void Explorer::prepare_motions(const Scene& scene) {

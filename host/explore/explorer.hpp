@@ -12,12 +12,14 @@
 
 #include "engine/device_choice.hpp"
 #include "explore/diagram.hpp"
+#include "explore/explored_curves.hpp"
 #include "explore/motion.hpp"
 #include "explore/preview.hpp"
 #include "explore/result_data.hpp"
 #include "explore/scene.hpp"
 #include "explore/starts.hpp"
 #include "explore/tile_cache.hpp"
+#include "result/border_plane.hpp"
 #include "sweep/sweep_options.hpp"
 
 namespace gearsweep {
@@ -28,6 +30,7 @@ struct ExplorerOptions {
   std::vector<DeviceChoice> devices = {};
   std::size_t max_bytes = std::size_t{512} << 20U;  // of tiles that are kept
   std::optional<ResultData> data = {};              // of the study as it is
+  std::optional<ExploredCurves> curves = {};
 };
 
 // Threads may share one.
@@ -56,6 +59,10 @@ class Explorer {
   double preview_rate() const;
   // The numbers of the file that explore was started with; null for other scenes.
   const ResultData* data(const Scene& scene) const;
+  // The curves that explore was started with, or null; and why they are not those of a scene,
+  // whose parameters or axes are others.
+  const ExploredCurves* curves() const { return options_.curves ? &*options_.curves : nullptr; }
+  std::optional<PlaneDifference> difference_of_curves(const Scene& scene) const;
   // Nothing when stopped. Throws as compute_strip() does.
   std::optional<StripMaps> strip(const Scene& scene, const Line& line, const Strip& strip,
                                  const std::atomic<bool>& stop);
@@ -64,10 +71,12 @@ class Explorer {
                           const std::atomic<bool>& stop);
   // The points of all tiles by the time that they took; 0: there is none yet.
   double points_per_second() const;
-  // Tiles wait for these three between their rounds. They throw InputError and RunError.
+  // Tiles wait for these four between their rounds. They throw InputError and RunError.
   Motion motion(const Scene& scene, const Cell& cell);
   MotionOrbit orbit(const Scene& scene, const Cell& cell);
   ReachedAttractors starts(const Scene& scene, const Cell& cell, std::size_t count);
+  // The orbit at a point of the curves, in a scene of their plane.
+  BorderMotion border(const Scene& scene, const CurvePlace& place);
   // Compiles what a motion takes and finds how far states go, beside the tiles; whatever is wrong
   // is left for motion() to say.
   void prepare_motions(const Scene& scene);

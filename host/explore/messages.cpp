@@ -9,6 +9,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "explore/detail/message_parts.hpp"
 #include "model/error.hpp"
 #include "result/si_units.hpp"
 
@@ -18,9 +19,6 @@ namespace {
 using nlohmann::json;
 
 static_assert(std::endian::native == std::endian::little, "records are little-endian");
-
-// No number in JSON.
-json number_or_null(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
 
 // {"factor": of one such unit, "unit": "rpm", "meaning": "pinion speed", where it is another}
 json si_message(const std::string& unit, const Scales& scales) {
@@ -95,32 +93,6 @@ json choices_message(const Scene& scene) {
   return choices;
 }
 
-// " --set parameters.mu=0.1", for what a page has changed.
-std::string sets_text(const Explorer& explorer, const Scene& scene) {
-  std::string text;
-  for (const std::string& set : overrides_of(explorer.study(), scene.changes().sets)) {
-    text += " --set '" + set + "'";
-  }
-  return text;
-}
-
-// "omega=0.7,b=1", with all digits: where a point of the scene is, also on axes that the study has
-// and the scene does not.
-std::string at_text(const Explorer& explorer, const Scene& scene, const Motion& motion) {
-  std::string text;
-  const auto add = [&](const std::string& name, double value) {
-    text += fmt::format("{}{}={}", text.empty() ? "" : ",", name, value);
-  };
-  for (const auto& [name, value] : motion.at) add(name, value);
-  const Study& study = scene.study();
-  for (const Axis& axis : explorer.study().axes) {
-    if (std::ranges::find(motion.at, axis.name, &NamedValue::name) != motion.at.end()) continue;
-    add(axis.name,
-        axis.is_state ? scene.start()[axis.index] : study.setting.parameters[axis.index]);
-  }
-  return text;
-}
-
 std::string text_of(const Quantity& quantity, double value) {
   const auto number = static_cast<std::size_t>(std::max(value, 0.0));
   if (std::isfinite(value) && number < quantity.flags.size()) return quantity.flags[number];
@@ -138,42 +110,6 @@ json values_message(const Motion& motion) {
   return values;
 }
 
-void add_trace(const Motion& motion, json* message) {
-  const Trace& trace = *motion.trace;
-  json channels = json::array(), names = json::array(), points = json::array();
-  for (const ChannelInfo& channel : trace.channels) {
-    channels.push_back({{"name", channel.name},
-                        {"unit", channel.unit},
-                        {"meaning", channel.meaning},
-                        {"velocity", channel.velocity}});
-    names.push_back(channel.name);
-  }
-  for (std::size_t i = 0; i < trace.tau.size() && !trace.is_clockless;
-       i += motion.samples_per_period) {
-    json point = json::array();
-    for (const std::vector<double>& series : trace.values) point.push_back(series[i]);
-    points.push_back(std::move(point));
-  }
-  (*message)["period"] = trace.period;
-  (*message)["clockless"] = trace.is_clockless;
-  (*message)["time_unit"] = "dimensionless time";
-  (*message)["channels"] = std::move(channels);
-  (*message)["tau"] = trace.tau;
-  (*message)["series"] = trace.values;
-  (*message)["section"] = {{"channels", names}, {"points", std::move(points)}};
-  if (!motion.spectrum) return;
-  json orders = json::array();
-  for (std::size_t i = 0; i < motion.spectrum->amplitude.front().size(); ++i) {
-    orders.push_back(motion.spectrum->order_step * static_cast<double>(i));
-  }
-  (*message)["spectrum"] = {
-      {"order", std::move(orders)}, {"channels", names}, {"amplitude", motion.spectrum->amplitude}};
-}
-
-std::string dumped(const json& message) {
-  return message.dump(-1, ' ', false, json::error_handler_t::replace);
-}
-
 std::string record(const std::array<double, 8>& head, std::string_view numbers) {
   std::string out(sizeof(head) + numbers.size(), '\0');
   std::memcpy(out.data(), head.data(), sizeof(head));
@@ -187,6 +123,13 @@ std::string_view bytes(const std::vector<double>& numbers) {
   return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double)};
 }
 
+// Why the curves of the file are not drawn over a scene; empty: they are, or there are none.
+std::string curves_note(const std::optional<PlaneDifference>& difference) {
+  if (!difference) return "";
+  return fmt::format("curves are not shown: they are {}, the map is {}", difference->of_curves,
+                     difference->of_map);
+}
+
 }  // namespace
 
 std::string scene_message(const Explorer& explorer, const Scene& scene) {
@@ -195,6 +138,7 @@ std::string scene_message(const Explorer& explorer, const Scene& scene) {
   for (const Quantity& quantity : study.selection.quantities) {
     quantities.push_back(quantity_message(quantity, study));
   }
+  const std::optional<PlaneDifference> difference = explorer.difference_of_curves(scene);
   return json({{"key", scene.key()},
                {"title", study.title},
                {"model", study.model->name},
@@ -204,6 +148,8 @@ std::string scene_message(const Explorer& explorer, const Scene& scene) {
                {"choices", choices_message(scene)},
                {"section", study.model->state_names()},
                {"has_data", explorer.data(scene) != nullptr},
+               {"has_curves", explorer.curves() != nullptr && !difference},
+               {"curves_note", curves_note(difference)},
                {"one_axis", explorer.has_one_axis()},
                {"tile", TilePlace::kCells},
                {"max_depth", TilePlace::kMaxDepth},
@@ -215,29 +161,25 @@ std::string scene_message(const Explorer& explorer, const Scene& scene) {
                {"notices", study.notices},
                {"command", explorer.is_model() ? json(nullptr)
                                                : json("gearsweep run " + explorer.source() +
-                                                      sets_text(explorer, scene))}})
+                                                      sets_text(explorer, scene.changes().sets))}})
       .dump();
 }
 
 std::string motion_message(const Explorer& explorer, const Scene& scene, const Motion& motion) {
-  const std::string at = at_text(explorer, scene, motion);
+  const std::string at = at_text(explorer, scene, motion.at);
   json message = {{"label", label_of(*motion.study.model, find_place(motion.study, motion.at, ""))},
                   {"status", has_values(motion.status)          ? "ok"
                              : motion.status == STATUS_diverged ? "diverged"
                                                                 : "step_too_long"},
                   {"values", values_message(motion)},
-                  {"notes", motion.notes},
                   {"commands", json::array()}};
   if (!explorer.is_model()) {
-    const std::string what = explorer.source() + sets_text(explorer, scene) + " --at " + at;
+    const std::string what =
+        explorer.source() + sets_text(explorer, scene.changes().sets) + " --at " + at;
     message["commands"] = {fmt::format("gearsweep trace {} -o trace.nc", what),
                            fmt::format("gearsweep floquet {}", what)};
   }
-  for (const auto& [name, value] : motion.at) {
-    message["at"].push_back({{"name", name}, {"value", value}});
-  }
-  if (motion.trace) add_trace(motion, &message);
-  message["on_orbit"] = motion.is_on_orbit;
+  add_motion(motion, &message);
   return dumped(message);
 }
 

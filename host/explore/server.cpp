@@ -66,6 +66,8 @@ class ExploreServer::Impl {
     add("Get", "study", &Answers::study);
     add("Get", "result", &Answers::result);
     add("Get", "data", &Answers::data);
+    add("Get", "curves", &Answers::curves);
+    add("Get", "border", &Answers::border);
     add("Get", "motion", &Answers::motion);
     add("Get", "multipliers", &Answers::multipliers);
     add("Get", "attractors", &Answers::attractors);

@@ -178,6 +178,11 @@ double PeriodicTable::at(double phase, double toward) const {
   return value_at(shares_at(phase, toward));
 }
 
+bool PeriodicTable::is_same_curve(const PeriodicTable& other) const {
+  return interpolation_ == other.interpolation_ && knots_ == other.knots_ &&
+         pieces_ == other.pieces_;
+}
+
 std::vector<double> PeriodicTable::corners() const {
   std::vector<double> corners;
   if (interpolation_ == Interpolation::cubic) return corners;

@@ -32,6 +32,8 @@ class PeriodicTable {
 
   const std::string& name() const { return name_; }
   Interpolation interpolation() const { return interpolation_; }
+  // Whether both have the same value at any phase, whatever their names.
+  bool is_same_curve(const PeriodicTable& other) const;
   // Where it jumps: phases in radians.
   const std::vector<double>& jumps() const { return jumps_; }
   // Where a linear table's slope jumps and its value does not: phases in radians. Of a cubic one
@@ -55,6 +57,7 @@ class PeriodicTable {
   struct Knot {
     double phase, value;
     double bend = 0.0;  // the second derivative
+    bool operator==(const Knot&) const = default;
   };
 
   // Where a phase lies: as the shares a and b of the knots on both sides of it.

@@ -153,8 +153,17 @@ class BranchSearch {
              (s.z - found->low.z).norm() > kApart;
     };
     if (test == turning && (stays(a) || stays(b))) return;
-    branch_.bifurcations.push_back(
-        {kind, found->parameter, found->error, found->low.orbit, found->grazing, born_of});
+    branch_.bifurcations.push_back({kind, found->parameter, found->error, found->low.orbit,
+                                    found->grazing, born_of, way_of(found->low)});
+  }
+
+  // The tangent in the states' and the parameter's own units.
+  VectorXd way_of(const BranchPoint& s) const {
+    const Eigen::Index states = follower_.sizes().size();
+    VectorXd way(states + 1);
+    way << s.tangent.head(states).cwiseProduct(follower_.sizes()),
+        s.tangent[s.tangent.size() - 1] * follower_.range();
+    return way;
   }
 
   static bool crosses(BranchTest test, const BranchPoint& a, const BranchPoint& b) {
@@ -195,7 +204,7 @@ class BranchSearch {
     const std::optional<Located> birth = locate_birth(follower_, s);
     if (birth && birth->parameter >= request_.from && birth->parameter <= request_.to) {
       branch_.bifurcations.push_back(
-          {Bifurcation::hopf, birth->parameter, birth->error, s.orbit, false, 0});
+          {Bifurcation::hopf, birth->parameter, birth->error, s.orbit, false, 0, way_of(s)});
     }
     return birth.has_value();
   }

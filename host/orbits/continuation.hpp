@@ -21,10 +21,11 @@ struct BranchOrbit {
 struct LocatedBifurcation {
   Bifurcation kind = Bifurcation::fold;
   double parameter = 0.0;
-  double error = 0.0;       // of the parameter, at most: see orbit_error.hpp
-  Orbit orbit;              // next to it, on the branch that was followed
-  bool grazing = false;     // so near to a limit of the backlash that the error is the bracket's
-  std::size_t born_of = 0;  // period of the orbits that the branch was born of here; 0: it was not
+  double error = 0.0;        // of the parameter, at most: see orbit_error.hpp
+  Orbit orbit;               // next to it, on the branch that was followed
+  bool grazing = false;      // so near to a limit of the backlash that the error is the bracket's
+  std::size_t born_of = 0;   // period of the orbits that the branch was born of here; 0: it was not
+  Eigen::VectorXd way = {};  // of the branch through it: the states' change, then the parameter's
 };
 
 struct Branch {

@@ -5,8 +5,12 @@
 namespace gearsweep {
 
 std::vector<LocatedBifurcation> bifurcations_of(const OrbitFindings& findings) {
+  return bifurcations_of(findings.branches);
+}
+
+std::vector<LocatedBifurcation> bifurcations_of(const std::vector<Branch>& branches) {
   std::vector<LocatedBifurcation> all;
-  for (const Branch& branch : findings.branches) {
+  for (const Branch& branch : branches) {
     all.insert(all.end(), branch.bifurcations.begin(), branch.bifurcations.end());
   }
   std::sort(all.begin(), all.end(),

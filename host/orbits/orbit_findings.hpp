@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "orbits/branch_switch.hpp"
 #include "orbits/continuation.hpp"
 #include "orbits/orbit_error.hpp"
 #include "study/study.hpp"
@@ -24,10 +25,12 @@ struct OrbitFindings {
   Orbit orbit;
   OrbitError error;
   std::optional<FollowedRange> range;
-  std::vector<Branch> branches;  // downwards and upwards; none without a range
+  std::vector<Branch> branches;             // downwards and upwards; none without a range
+  std::vector<LeavingBranch> leaving = {};  // what leaves them, as far as it was asked for
 };
 
-// The bifurcations of all branches, by the parameter's value.
+// The bifurcations of branches, by the parameter's value; of findings without what leaves them.
+std::vector<LocatedBifurcation> bifurcations_of(const std::vector<Branch>& branches);
 std::vector<LocatedBifurcation> bifurcations_of(const OrbitFindings& findings);
 
 // Orbits that stand in one line.

@@ -18,8 +18,6 @@
 namespace gearsweep {
 namespace {
 
-constexpr double kMmPerInch = 25.4;
-
 std::optional<double> number_in(std::string_view text) {
   const std::optional<double> number = parse_number<double>(text);
   return number && std::isfinite(*number) ? number : std::nullopt;

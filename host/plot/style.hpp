@@ -9,6 +9,8 @@
 
 namespace gearsweep {
 
+inline constexpr double kMmPerInch = 25.4;
+
 struct PictureSize {
   double width = 0.0;   // of the whole picture; 0: not given
   double height = 0.0;  // 0: what suits the picture

@@ -126,9 +126,10 @@ void require_free(const PeriodMap& map, const Model& model) {
                   model.name));
 }
 
-std::vector<Branch> follow(const Study& study, const FollowedRange& range, const PeriodMap& map,
-                           const Orbit& orbit, const std::atomic<bool>* stop,
-                           const std::function<void(const Branch&)>& each_orbit) {
+void follow(const OrbitRequest& asked, const PeriodMap& map, const std::atomic<bool>* stop,
+            OrbitFindings* findings) {
+  const Study& study = findings->study;
+  const FollowedRange& range = *asked.range;
   FollowRequest request = {study.model,
                            study.setting,
                            range.parameter,
@@ -137,14 +138,14 @@ std::vector<Branch> follow(const Study& study, const FollowedRange& range, const
                            map.steps(),
                            false,
                            stop,
-                           each_orbit};
+                           asked.each_orbit};
   const double start = study.setting.parameters[range.parameter];
-  const Orbit first = away_from_surfaces(map, orbit);
-  std::vector<Branch> branches;
+  const Orbit first = away_from_surfaces(map, findings->orbit);
+  std::vector<Branch>& branches = findings->branches;
   if (start > request.from) branches.push_back(follow_orbit(request, first));
   request.upwards = true;
   if (start < request.to) branches.push_back(follow_orbit(request, first));
-  return branches;
+  findings->leaving = follow_leaving(request, branches, asked.generations);
 }
 
 }  // namespace
@@ -197,12 +198,10 @@ std::optional<OrbitFindings> find_point_orbit(const Study& whole, const OrbitReq
     }
     const OrbitError error =
         error_of(orbit, PeriodMap(model, study.setting, map.steps() / 2, options.stop));
-    std::vector<Branch> branches;
-    if (request.range) {
-      branches = follow(study, *request.range, map, orbit, options.stop, request.each_orbit);
-    }
-    return OrbitFindings{study,         parameters_of(study, place), map.period(), orbit, error,
-                         request.range, std::move(branches)};
+    OrbitFindings findings{
+        study, parameters_of(study, place), map.period(), orbit, error, request.range, {}};
+    if (request.range) follow(request, map, options.stop, &findings);
+    return findings;
   } catch (const SearchStopped&) {
     return std::nullopt;
   }

@@ -25,6 +25,8 @@ struct OrbitRequest {
   std::optional<std::size_t> period;
   std::optional<std::size_t> steps;  // of that; nothing: kMinOrbitSteps or the study's
   bool is_equilibrium = false;       // the one that Newton's method comes to from the start
+  // Of a range: what leaves the branches is followed, too, so many generations deep.
+  std::size_t generations = 0;
   // As in FollowRequest.
   std::function<void(const Branch& so_far)> each_orbit = {};
 };

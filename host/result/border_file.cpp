@@ -251,54 +251,142 @@ bool holds_borders(const std::string& path) {
   return file.text_attribute(NC_GLOBAL, "content").value_or("") == kContentOfBorders;
 }
 
-StoredCurves read_borders(const std::string& path) {
-  const NetcdfFile file = NetcdfFile::open(path);
-  const auto note = [&](const char* name) {
-    return file.text_attribute(NC_GLOBAL, name).value_or("");
-  };
-  if (note("content") != kContentOfBorders) refuse_no_curves(path);
-  StoredCurves out;
-  out.x = note("x");
-  out.y = note("y");
-  const auto find = [&](const std::string& name) {
-    const int variable = file.find_variable(name);
-    if (variable < 0) refuse_no_curves(path);
-    return variable;
-  };
-  const auto row = [&](const std::string& name) {
-    const int variable = find(name);
-    const std::vector<int> dimensions = file.dimensions_of(variable);
-    if (dimensions.size() != 1) refuse_no_curves(path);
-    return file.read(variable, {0}, {file.dimension_size(dimensions.front())});
-  };
-  const std::vector<double> x = row(variable_of(out.x)), y = row(variable_of(out.y)),
-                            counts = row("curve_points");
-  const std::vector<double> periods = row("curve_period"), stable = row("stable");
-  const std::vector<std::string> kinds = file.read_texts(find("curve_kind"));
-  if (x.size() != y.size() || x.size() != stable.size() || kinds.size() != counts.size() ||
-      periods.size() != counts.size()) {
-    refuse_no_curves(path);
-  }
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    const double left = static_cast<double>(x.size() - next);
-    if (!(counts[i] >= 0.0 && counts[i] <= left)) refuse_no_curves(path);
-    StoredCurve curve{kinds[i], static_cast<int>(periods[i]), {}, {}};
-    for (const std::size_t end = next + static_cast<std::size_t>(counts[i]); next < end; ++next) {
-      curve.places.emplace_back(x[next], y[next]);
-      curve.is_stable.push_back(stable[next] == 1.0);
+namespace {
+
+constexpr double kMaxPeriod = 4096.0;  // far above what a search looks at
+
+// Reads a file of curves; whatever is not as write_borders() leaves it refuses the file.
+class BorderReader {
+ public:
+  explicit BorderReader(const std::string& path) : path_(path), file_(NetcdfFile::open(path)) {}
+
+  StoredCurves read() {
+    if (note("content") != kContentOfBorders) refuse();
+    StoredCurves out;
+    out.x = note("x");
+    out.y = note("y");
+    out.states = file_.read_texts(find("state"));
+    const std::vector<double> steps = file_.number_attribute(NC_GLOBAL, "steps_per_period");
+    if (steps.size() != 1 || !(steps.front() >= 1.0 && steps.front() <= 1e9)) refuse();
+    out.steps = static_cast<std::size_t>(steps.front());
+    read_points(out);
+    const std::vector<double> counts = row("curve_points"), periods = row("curve_period");
+    const std::vector<double> errors = row("curve_step_error");
+    const std::vector<std::string> kinds = file_.read_texts(find("curve_kind"));
+    const std::vector<std::string> limits = file_.read_texts(find("curve_limit"));
+    for (const std::size_t size : {kinds.size(), limits.size(), periods.size(), errors.size()}) {
+      if (size != counts.size()) refuse();
     }
-    out.curves.push_back(std::move(curve));
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      const double left = static_cast<double>(places_.size() - next);
+      if (!(counts[i] >= 0.0 && counts[i] <= left)) refuse();
+      if (!(periods[i] >= 1.0 && periods[i] <= kMaxPeriod) || !is_kind(kinds[i])) refuse();
+      const std::size_t end = next + static_cast<std::size_t>(counts[i]);
+      out.curves.push_back({.kind = kinds[i],
+                            .period = static_cast<int>(periods[i]),
+                            .places = part(places_, next, end),
+                            .is_stable = part(is_stable_, next, end),
+                            .orbits = part(orbits_, next, end),
+                            .limit = limits[i],
+                            .step_error = errors[i]});
+      next = end;
+    }
+    read_special(&out);
+    return out;
   }
-  if (file.find_variable("special_kind") < 0) return out;
-  const std::vector<std::string> names = file.read_texts(find("special_kind"));
-  const std::vector<double> special_x = row("special_" + out.x),
-                            special_y = row("special_" + out.y);
-  if (special_x.size() != names.size() || special_y.size() != names.size()) refuse_no_curves(path);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    out.special.push_back({names[i], {special_x[i], special_y[i]}});
+
+ private:
+  [[noreturn]] void refuse() const { refuse_no_curves(path_); }
+
+  std::string note(const char* name) const {
+    return file_.text_attribute(NC_GLOBAL, name).value_or("");
   }
-  return out;
-}
+
+  int find(const std::string& name) const {
+    const int variable = file_.find_variable(name);
+    if (variable < 0) refuse();
+    return variable;
+  }
+
+  std::vector<double> row(const std::string& name) const {
+    const int variable = find(name);
+    const std::vector<int> dimensions = file_.dimensions_of(variable);
+    if (dimensions.size() != 1) refuse();
+    return file_.read(variable, {0}, {file_.dimension_size(dimensions.front())});
+  }
+
+  // Of so many rows and columns, row by row.
+  std::vector<double> matrix(const std::string& name, std::size_t rows, std::size_t columns) const {
+    const int variable = find(name);
+    const std::vector<int> dimensions = file_.dimensions_of(variable);
+    if (dimensions.size() != 2 || file_.dimension_size(dimensions[0]) != rows ||
+        file_.dimension_size(dimensions[1]) != columns) {
+      refuse();
+    }
+    return file_.read(variable, {0, 0}, {rows, columns});
+  }
+
+  void read_points(const StoredCurves& out) {
+    const std::vector<double> x = row(variable_of(out.x)), y = row(variable_of(out.y));
+    const std::vector<double> stable = row("stable"), angles = row("angle"),
+                              residuals = row("residual");
+    for (const std::size_t size : {y.size(), stable.size(), angles.size(), residuals.size()}) {
+      if (size != x.size()) refuse();
+    }
+    const std::size_t states = out.states.size();
+    const std::vector<double> sections = matrix("section", x.size(), states),
+                              real = matrix("multiplier_real", x.size(), states),
+                              imag = matrix("multiplier_imag", x.size(), states);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (!std::isfinite(x[i]) || !std::isfinite(y[i])) refuse();
+      places_.emplace_back(x[i], y[i]);
+      is_stable_.push_back(stable[i] == 1.0);
+      StoredOrbit orbit{{}, {}, angles[i], residuals[i]};
+      for (std::size_t k = i * states; k < (i + 1) * states; ++k) {
+        if (!std::isfinite(sections[k])) refuse();
+        orbit.state.push_back(sections[k]);
+        orbit.multipliers.emplace_back(real[k], imag[k]);
+      }
+      orbits_.push_back(std::move(orbit));
+    }
+  }
+
+  void read_special(StoredCurves* out) const {
+    if (file_.find_variable("special_kind") < 0) return;
+    const std::vector<std::string> names = file_.read_texts(find("special_kind"));
+    const std::vector<double> x = row("special_" + out->x), y = row("special_" + out->y);
+    if (x.size() != names.size() || y.size() != names.size()) refuse();
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      out->special.push_back({names[i], {x[i], y[i]}});
+    }
+  }
+
+  static bool is_kind(const std::string& name) {
+    constexpr std::array<BorderKind, 5> kKinds = {
+        BorderKind::fold, BorderKind::flip, BorderKind::neimark_sacker,
+        BorderKind::symmetry_breaking, BorderKind::grazing};
+    return std::ranges::find(kKinds, name, [](BorderKind kind) { return name_of(kind); }) !=
+           kKinds.end();
+  }
+
+  template <typename Element>
+  static std::vector<Element> part(const std::vector<Element>& all, std::size_t from,
+                                   std::size_t to) {
+    const auto at = [&](std::size_t i) { return all.begin() + static_cast<std::ptrdiff_t>(i); };
+    return {at(from), at(to)};
+  }
+
+  const std::string& path_;
+  NetcdfFile file_;
+  // Of all curves, one after the other.
+  std::vector<std::pair<double, double>> places_;
+  std::vector<bool> is_stable_;
+  std::vector<StoredOrbit> orbits_;
+};
+
+}  // namespace
+
+StoredCurves read_borders(const std::string& path) { return BorderReader(path).read(); }
 
 }  // namespace gearsweep

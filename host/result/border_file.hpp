@@ -2,6 +2,8 @@
 // them), with the special points and what parts the pixels of the map.
 #pragma once
 
+#include <complex>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,15 +29,27 @@ Dataset dataset_of(const BorderFindings& findings, const Provenance& provenance)
 void write_borders(const BorderFindings& findings, const std::string& path,
                    const Provenance& provenance);
 
+// The orbit that bifurcates at a point of a curve.
+struct StoredOrbit {
+  std::vector<double> state;  // at phase 0
+  std::vector<std::complex<double>> multipliers;
+  double angle = 0.0, residual = 0.0;
+};
+
 // A curve as a file has it.
 struct StoredCurve {
   std::string kind;
   int period = 1;
   std::vector<std::pair<double, double>> places;  // x, y
   std::vector<bool> is_stable;                    // [place] a motion that settles bifurcates there
+  std::vector<StoredOrbit> orbits;                // [place]
+  std::string limit;                              // of a grazing curve
+  double step_error = std::numeric_limits<double>::quiet_NaN();
 };
 struct StoredCurves {
-  std::string x, y;  // names of the parameters
+  std::string x, y;                 // names of the parameters
+  std::vector<std::string> states;  // names of the model's
+  std::size_t steps = 0;            // of a forcing period, by which the points were solved
   std::vector<StoredCurve> curves;
   std::vector<std::pair<std::string, std::pair<double, double>>> special;  // kind and place
 };

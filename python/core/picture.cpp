@@ -3,7 +3,6 @@
 #include <pybind11/stl.h>
 
 #include <optional>
-#include <sstream>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -30,15 +29,11 @@ std::vector<double> vector_of(const Numbers& numbers) {
   return {numbers.data(), numbers.data() + numbers.size()};
 }
 
-// Kind, colour and dashes of border curves.
+// Kind, colour and dashes of border curves, in widths of the line.
 std::vector<std::tuple<std::string, std::string, std::vector<double>>> curve_styles() {
   std::vector<std::tuple<std::string, std::string, std::vector<double>>> out;
   for (const CurveStyle& style : kCurveStyles) {
-    std::vector<double> dashes;
-    std::istringstream text(style.dashes);
-    char mark = 0;
-    for (double length = 0.0; text >> mark && text >> length;) dashes.push_back(0.4 * length);
-    out.emplace_back(style.kind, style.colour, std::move(dashes));
+    out.emplace_back(style.kind, style.colour, dash_lengths(style));
   }
   return out;
 }

@@ -60,6 +60,42 @@ TEST(CurvesCommand, FindsTheDoublingOfAPendulumAndDrawsIt) {
               HasSubstr("--curves takes a map of two axes"));
 }
 
+// What is drawn over a map must be of its plane, in a picture and on the page.
+TEST(CurvesCommand, OfAnotherPlaneOrDamagedAreNotDrawn) {
+  const Folder folder;
+  folder.write("pendulum.toml", kDoublingPendulum);
+  const std::string quick = " --set integrate.settle=20 --set integrate.record=20 --quiet";
+  ASSERT_EQ(gearsweep(folder, "run pendulum.toml -o map.nc" + quick).status, 0);
+  ASSERT_EQ(
+      gearsweep(folder, "run pendulum.toml -o other.nc --set parameters.omega=0.7" + quick).status,
+      0);
+  // Few pixels differ after so short a time: the file has no curve, and is one of curves.
+  ASSERT_EQ(gearsweep(folder, "curves map.nc -o curves.nc --quiet --min-pairs 1000").status, 0);
+  folder.write("cut.nc", read_all(folder / "curves.nc").substr(0, 9000));
+  const auto expect_refused = [&](const std::string& command, const std::string& message) {
+    const Outcome outcome = gearsweep(folder, command);
+    EXPECT_EQ(outcome.status, 2) << command;
+    EXPECT_THAT(outcome.err, HasSubstr(message)) << command;
+    EXPECT_EQ(outcome.out, "") << command;
+  };
+  const std::string plot = "plot other.nc -q period -o map.svg --curves ";
+  const std::string other_omega =
+      "its curves are of omega = 0.6666666666666666, the map is of omega = 0.7";
+  expect_refused(plot + "curves.nc", other_omega);
+  expect_refused(plot + "cut.nc", "'cut.nc'");
+  const std::string explore = "explore pendulum.toml --no-browser --quiet --curves ";
+  expect_refused("explore other.nc --no-browser --curves curves.nc", other_omega);
+  expect_refused(explore + "curves.nc --set parameters.omega=0.7", other_omega);
+  expect_refused(explore + "curves.nc --set axes.drive.name=phase",
+                 "its curves are over damping and drive, the map is over damping and phase");
+  expect_refused("explore coarse-map --no-browser --curves curves.nc",
+                 "its curves are of the model pendulum, the map is of the model gear5");
+  expect_refused(explore + "map.nc", "'map.nc' holds no curves");
+  expect_refused(explore + "cut.nc", "'cut.nc'");
+  expect_refused(explore + "missing.nc", "missing.nc");
+  expect_refused(explore + "pendulum.toml", "'pendulum.toml' is not a NetCDF file");
+}
+
 // The places of all curves, curve after curve.
 std::vector<std::pair<double, double>> places_in(const std::filesystem::path& file) {
   std::vector<std::pair<double, double>> out;

@@ -16,6 +16,7 @@
 namespace gearsweep::testing {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 const char* const kPendulum = R"([model]
@@ -48,6 +49,31 @@ TEST(FloquetCommand, TellsOrbitMultipliersAndBifurcations) {
       folder, "floquet pendulum.toml --json --at damping=0.745 --along damping=0.735:0.75");
   EXPECT_THAT(json.out, HasSubstr("\"kind\": \"flip\""));
   EXPECT_THAT(json.out, HasSubstr("\"value\": 0.741173"));
+}
+
+// What leaves at the published doublings of damping 1/1.34921264 and 1/1.37012224.
+TEST(FloquetCommand, SwitchesToWhatLeaves) {
+  const Folder folder;
+  folder.write("pendulum.toml", kPendulum);
+  const std::string command = "floquet pendulum.toml --along damping=0.75:0.725 --steps 512";
+  const Outcome text = gearsweep(folder, command + " --switch 2");
+  EXPECT_EQ(text.status, 0) << text.err;
+  EXPECT_THAT(text.out,
+              AllOf(HasSubstr("\nbranch 1, of period 2, leaves the first at the flip at damping = "
+                              "0.74117301"),
+                    HasSubstr("\nbranch 2, of period 4, leaves branch 1 at the flip at damping = "
+                              "0.72986188")));
+  const auto json = nlohmann::json::parse(gearsweep(folder, command + " --switch 1 --json").out);
+  ASSERT_EQ(json.at("leaving").size(), 1U);
+  const nlohmann::json& leaving = json.at("leaving")[0];
+  EXPECT_EQ(leaving.at("leaves"), 0);
+  EXPECT_EQ(leaving.at("period"), 2);
+  EXPECT_NEAR(leaving.at("origin").at("value").get<double>(), 1.0 / 1.34921264, 2e-8);
+  EXPECT_NEAR(leaving.at("bifurcations")[0].at("value").get<double>(), 1.0 / 1.37012224, 2e-8);
+  EXPECT_GT(leaving.at("branches")[0].at("orbits").size(), 5U);
+  const Outcome alone = gearsweep(folder, "floquet pendulum.toml --at damping=0.745 --switch 1");
+  EXPECT_EQ(alone.status, 2);
+  EXPECT_THAT(alone.err, HasSubstr("--switch requires --along"));
 }
 
 // The start of --along stands in for a value in --at; a state of --at chooses the motion, here the

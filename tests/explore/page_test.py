@@ -109,8 +109,8 @@ def rows_of(gearsweep, result):
 TOKEN = "0123456789abcdef0123456789abcdef"  # so that a server started anew is found again
 
 
-def serve(gearsweep, folder, port=None):
-    command = [gearsweep, "explore", folder / "study.toml", "--no-browser", "--quiet"]
+def serve(gearsweep, folder, port=None, more=()):
+    command = [gearsweep, "explore", folder / "study.toml", "--no-browser", "--quiet", *more]
     if port is not None:
         command += ["--port", str(port)]
     server = subprocess.Popen(command, stdout=subprocess.PIPE, text=True,
@@ -244,4 +244,5 @@ def main():
             servers[-1].wait(30)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -11,10 +11,13 @@
 #include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "explore/explored.hpp"
+#include "explore/linear_curves.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -43,7 +46,14 @@ std::vector<Record> read_records(const std::string& bytes) {
 
 class ServerTest : public ::testing::Test {
  protected:
-  ServerTest() : client_("127.0.0.1", port()) { client_.set_read_timeout(60); }
+  ServerTest() : ServerTest(explored(), std::nullopt) {}
+  ServerTest(const ExploredStudy& study, std::optional<ExploredCurves> curves)
+      : explorer_(
+            study,
+            {.source = "test", .is_model = false, .devices = {}, .curves = std::move(curves)}),
+        client_("127.0.0.1", port()) {
+    client_.set_read_timeout(60);
+  }
   ~ServerTest() override { stop_ = true; }
 
   int port() const {
@@ -60,7 +70,7 @@ class ServerTest : public ::testing::Test {
     return client_.Post(path("tiles"), body.dump(), "application/json");
   }
 
-  Explorer explorer_{explored(), {.source = "test", .is_model = false, .devices = {}}};
+  Explorer explorer_;
   ExploreServer server_{&explorer_, 0};
   std::atomic<bool> stop_ = false;
   std::jthread thread_{[this] { server_.serve(stop_); }};
@@ -276,6 +286,54 @@ TEST_F(ServerTest, EndsAPagesStreamWhenItAsksAnew) {
   post({{"scene", scene}, {"page", "a"}, {"tiles", {{0, 0, 0}}}});
   first.join();
   EXPECT_LT(bytes, std::size_t{512} * (64 + 4 * 1024 * 8));
+}
+
+ExploredCurves linear_curves() {
+  const Folder folder;
+  return read_explored_curves(write_linear_curves(folder), explored(kLinear).study);
+}
+
+class CurveServerTest : public ServerTest {
+ protected:
+  CurveServerTest() : ServerTest(explored(kLinear), linear_curves()) {}
+  json scene(const std::string& query) {
+    return json::parse(client_.Get(path("scene" + query))->body);
+  }
+  int status(const std::string& name) { return client_.Get(path(name))->status; }
+};
+
+// In curves_test.cpp is what they say.
+TEST_F(CurveServerTest, HasTheCurvesOfItsPlane) {
+  const std::string own = scene("").at("key"), turned = scene("?x=amplitude&y=omega").at("key");
+  const json curves = json::parse(client_.Get(path("curves"))->body);
+  EXPECT_EQ(curves.at("curves").size(), 2U);
+  EXPECT_EQ(status("border?curve=0&point=2&scene=" + own), 200);
+  EXPECT_EQ(status("border?curve=1&point=1&scene=" + turned), 200);
+  EXPECT_EQ(status("border?curve=2&point=0&scene=" + own), 400);
+  EXPECT_EQ(status("border?curve=0&point=5&scene=" + own), 400);
+  EXPECT_EQ(status("border?curve=-1&point=0&scene=" + own), 400);
+  EXPECT_EQ(status("border?curve=0&point=0&scene=unknown"), 404);
+}
+
+TEST_F(CurveServerTest, SaysWhyThereAreNoneInAnother) {
+  const json moved = scene("?set=damping%3D0.3"), elsewhere = scene("?y=linear");
+  for (const char* same : {"", "?x=amplitude&y=omega", "?set=x%3D0.5"}) {
+    EXPECT_EQ(scene(same).at("has_curves"), true) << same;
+    EXPECT_EQ(scene(same).at("curves_note"), "") << same;
+  }
+  EXPECT_EQ(moved.at("has_curves"), false);
+  EXPECT_EQ(moved.at("curves_note"),
+            "curves are not shown: they are of damping = 0.2, the map is of damping = 0.3");
+  EXPECT_EQ(elsewhere.at("has_curves"), false);
+  EXPECT_EQ(status("border?curve=0&point=2&scene=" + moved.at("key").get<std::string>()), 404);
+}
+
+TEST_F(ServerTest, HasNoCurvesWithoutAFile) {
+  const json scene = json::parse(client_.Get(path("scene"))->body);
+  EXPECT_EQ(scene.at("has_curves"), false);
+  EXPECT_EQ(scene.at("curves_note"), "");
+  EXPECT_EQ(client_.Get(path("curves"))->status, 404);
+  EXPECT_EQ(client_.Get(path("border?curve=0&point=0&scene=" + key()))->status, 404);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "model/error.hpp"
 #include "plot/detail/sources.hpp"
 #include "result/border_file.hpp"
+#include "result/border_plane.hpp"
 #include "result/export.hpp"
 #include "result/order_dataset.hpp"
 #include "result/peaks.hpp"
@@ -88,7 +89,7 @@ void read_all_orders(const std::string& path) {
 void read_all_of(const std::string& path) {
   attempt([&] { read_hostile_study(read_study_text(path)); });
   attempt([&] { read_pilot_step(path); });
-  attempt([&] { read_borders(path); });
+  attempt([&] { read_border_study(path, read_borders(path)); });
   attempt([&] { read_maps(path); });
   attempt([&] {
     if (is_trace_file(path)) read_all_traces(path);

@@ -44,18 +44,12 @@ std::pair<LocatedBifurcation, double> pendulum_bifurcation(double Q, double to, 
   return {found, 1.0 / found.parameter};
 }
 
-// Enough for the 8 digits that are published: see LocatedPointsHardlyDependOnTheSteps.
-constexpr std::size_t kFewSteps = 512;
-
 LocatedBifurcation duffing_bifurcation(double g, double to) {
   const Example example = duffing(g);
   // In the right-hand well.
   const Orbit orbit = example.orbit_from({1.0, 0.0}, 400, kFewSteps);
   return only(example.follow(orbit, "amplitude", g, to, true, kFewSteps));
 }
-
-// The published points have 8 digits after the point; 2e-8 is asked for.
-constexpr double kPublished = 2e-8;
 
 TEST(Continuation, PendulumBreaksItsSymmetry) {
   const auto [found, Q] = pendulum_bifurcation(1.2, 1.3, kFewSteps);

@@ -137,21 +137,48 @@ std::string count_of(std::size_t count, OrbitKind kind) {
   return fmt::format("{} {}", count, rests ? "equilibria" : "orbits");
 }
 
-std::string describe_branches(const OrbitFindings& findings) {
+std::string value_text(const LocatedBifurcation& found) {
+  return std::isfinite(found.error) ? with_digits(found.parameter, found.error)
+                                    : fmt::format("about {:.3g}", found.parameter);
+}
+
+std::string describe_branch(const OrbitFindings& findings, const std::vector<Branch>& branches) {
   std::string text;
-  if (!findings.range) return text;
+  const OrbitKind kind = findings.orbit.kind;
   const std::string& name = findings.study.model->parameters[findings.range->parameter].name;
-  text += fmt::format("along {} = {} .. {}\n", name, findings.range->from, findings.range->to);
-  for (const LocatedBifurcation& found : bifurcations_of(findings)) {
-    text += fmt::format("  {:<18} {} = {}{}{}\n", name_of(found.kind, findings.orbit.kind), name,
-                        std::isfinite(found.error) ? with_digits(found.parameter, found.error)
-                                                   : fmt::format("about {:.3g}", found.parameter),
-                        found.born_of > 0 ? describe_birth(found, findings.orbit.kind) : "",
+  for (const LocatedBifurcation& found : bifurcations_of(branches)) {
+    text += fmt::format("  {:<18} {} = {}{}{}\n", name_of(found.kind, kind), name,
+                        value_text(found), found.born_of > 0 ? describe_birth(found, kind) : "",
                         found.grazing ? " (the motion grazes a limit of the backlash)" : "");
   }
-  for (const Branch& branch : findings.branches) {
-    text += fmt::format("  {}; {}\n", count_of(branch.orbits.size(), findings.orbit.kind),
-                        branch.ended);
+  for (const Branch& branch : branches) {
+    text += fmt::format("  {}; {}\n", count_of(branch.orbits.size(), kind), branch.ended);
+  }
+  return text;
+}
+
+// "branch 2, of period 4, leaves branch 1 at the flip at damping = 0.72986".
+std::string describe_leaving(const OrbitFindings& findings, std::size_t number) {
+  const LeavingBranch& leaving = findings.leaving[number - 1];
+  const OrbitKind kind = findings.orbit.kind;
+  return fmt::format(
+      "branch {}{} leaves {} at the {} at {} = {}\n{}", number,
+      kind == OrbitKind::forced ? fmt::format(", of period {},", leaving.period) : "",
+      leaving.parent == 0 ? "the first" : fmt::format("branch {}", leaving.parent),
+      name_of(leaving.origin.kind, kind),
+      findings.study.model->parameters[findings.range->parameter].name, value_text(leaving.origin),
+      leaving.branches.empty() ? "  no orbit is found beside it\n"
+                               : describe_branch(findings, leaving.branches));
+}
+
+std::string describe_branches(const OrbitFindings& findings) {
+  if (!findings.range) return "";
+  const std::string& name = findings.study.model->parameters[findings.range->parameter].name;
+  std::string text =
+      fmt::format("along {} = {} .. {}\n", name, findings.range->from, findings.range->to);
+  text += describe_branch(findings, findings.branches);
+  for (std::size_t number = 1; number <= findings.leaving.size(); ++number) {
+    text += describe_leaving(findings, number);
   }
   return text;
 }
@@ -171,6 +198,31 @@ nlohmann::json json_of(const Orbit& orbit) {
   if (orbit.kind == OrbitKind::cycle) json["cycle_time"] = orbit.duration;
   if (orbit.along) json["multiplier_along"] = *orbit.along;
   return json;
+}
+
+nlohmann::json json_of(const LocatedBifurcation& found, OrbitKind kind) {
+  nlohmann::json entry = json_of(found.orbit);
+  entry["kind"] = name_of(found.kind, kind);
+  entry["value"] = found.parameter;
+  entry["value_error"] = found.error;
+  entry["grazing"] = found.grazing;
+  entry["born_of"] = found.born_of;
+  return entry;
+}
+
+void add_branches(const std::vector<Branch>& branches, OrbitKind kind, nlohmann::json* json) {
+  (*json)["bifurcations"] = nlohmann::json::array();
+  for (const LocatedBifurcation& found : bifurcations_of(branches)) {
+    (*json)["bifurcations"].push_back(json_of(found, kind));
+  }
+  for (const Branch& branch : branches) {
+    nlohmann::json entry = {{"ended", branch.ended}};
+    for (const BranchOrbit& member : branch.orbits) {
+      entry["orbits"].push_back(json_of(member.orbit));
+      entry["orbits"].back()["value"] = member.parameter;
+    }
+    (*json)["branches"].push_back(entry);
+  }
 }
 
 }  // namespace
@@ -199,23 +251,15 @@ std::string floquet_as_json(const OrbitFindings& findings) {
   }
   if (findings.range) {
     json["along"] = model.parameters[findings.range->parameter].name;
-    json["bifurcations"] = nlohmann::json::array();
-    for (const LocatedBifurcation& found : bifurcations_of(findings)) {
-      nlohmann::json entry = json_of(found.orbit);
-      entry["kind"] = name_of(found.kind, findings.orbit.kind);
-      entry["value"] = found.parameter;
-      entry["value_error"] = found.error;
-      entry["grazing"] = found.grazing;
-      entry["born_of"] = found.born_of;
-      json["bifurcations"].push_back(entry);
-    }
-    for (const Branch& branch : findings.branches) {
-      nlohmann::json entry = {{"ended", branch.ended}};
-      for (const BranchOrbit& member : branch.orbits) {
-        entry["orbits"].push_back(json_of(member.orbit));
-        entry["orbits"].back()["value"] = member.parameter;
-      }
-      json["branches"].push_back(entry);
+    add_branches(findings.branches, findings.orbit.kind, &json);
+    for (std::size_t i = 0; i < findings.leaving.size(); ++i) {
+      const LeavingBranch& leaving = findings.leaving[i];
+      nlohmann::json entry = {{"number", i + 1},
+                              {"leaves", leaving.parent},
+                              {"origin", json_of(leaving.origin, findings.orbit.kind)},
+                              {"period", leaving.period}};
+      add_branches(leaving.branches, findings.orbit.kind, &entry);
+      json["leaving"].push_back(entry);
     }
   }
   return json_text(json);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "explore/curve_messages.hpp"
 #include "explore/detail/answer_text.hpp"
 #include "explore/detail/request_values.hpp"
 #include "explore/messages.hpp"
@@ -119,6 +120,29 @@ void Answers::data(const Request& request, Response* response) const {
   const ResultData* data = explorer_->data(*scene);
   if (data == nullptr) throw Refusal{404, "no file has numbers of this scene"};
   answer_text(data_record(*scene, *data), kRecords, response);
+}
+
+void Answers::curves(const Request& /*request*/, Response* response) const {
+  const ExploredCurves* curves = explorer_->curves();
+  if (curves == nullptr) throw Refusal{404, "explore was started without curves"};
+  answer_text(curves_message(*curves), kJson, response);
+}
+
+void Answers::border(const Request& request, Response* response) {
+  const std::shared_ptr<void> slot = take_slot();
+  const auto scene = scene_of(request.get_param_value("scene"));
+  const ExploredCurves* curves = explorer_->curves();
+  if (curves == nullptr || explorer_->difference_of_curves(*scene)) {
+    throw Refusal{404, "there are no curves of this scene"};
+  }
+  const CurvePlace place = {number_of<std::size_t>(request, "curve", 0),
+                            number_of<std::size_t>(request, "point", 0)};
+  const std::vector<StoredCurve>& all = curves->stored.curves;
+  if (place.curve >= all.size() || place.point >= all[place.curve].places.size()) {
+    throw Refusal{400, "no such point of a curve"};
+  }
+  answer_text(border_message(*explorer_, *scene, explorer_->border(*scene, place)), kJson,
+              response);
 }
 
 void Answers::motion(const Request& request, Response* response) {

@@ -30,6 +30,8 @@ class Answers {
   void study(const Request& request, Response* response) const;
   void result(const Request& request, Response* response);
   void data(const Request& request, Response* response) const;
+  void curves(const Request& request, Response* response) const;
+  void border(const Request& request, Response* response);
   void motion(const Request& request, Response* response);
   void multipliers(const Request& request, Response* response);
   void attractors(const Request& request, Response* response);

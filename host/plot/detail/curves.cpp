@@ -9,28 +9,11 @@
 #include "plot/curve_styles.hpp"
 #include "plot/detail/text.hpp"
 #include "result/border_file.hpp"
+#include "result/border_plane.hpp"
+#include "result/study_source.hpp"
 
 namespace gearsweep {
 namespace {
-
-constexpr double kLineWidth = 1.8, kRimWidth = 3.4;
-constexpr double kThinWidth = 0.6;  // where no motion settles that bifurcates
-
-// The stretches of a curve along which it is of stable motions, or of others. Neighbours share a
-// point.
-struct Stretch {
-  std::size_t first, last;
-  bool is_stable;
-};
-std::vector<Stretch> stretches_of(const StoredCurve& curve) {
-  std::vector<Stretch> out;
-  for (std::size_t i = 0; i + 1 < curve.places.size(); ++i) {
-    const bool is_stable = curve.is_stable[i] && curve.is_stable[i + 1];
-    if (out.empty() || out.back().is_stable != is_stable) out.push_back({i, i + 1, is_stable});
-    out.back().last = i + 1;
-  }
-  return out;
-}
 
 double largest(const std::vector<double>& values) {
   double out = 0.0;
@@ -57,6 +40,7 @@ void add_curves(const std::string& path, const std::string& map_path, Picture* p
         fmt::format("--curves {}: its curves are over {} and {}, the map is over {} and {}", path,
                     stored.x, stored.y, axes[0].name, axes[1].name));
   }
+  require_plane(path, read_border_study(path, stored), read_result_study(map_path));
   const std::vector<ResultAxis> own = ResultFile(map_path).axes();
   const double x = scale_of(axes[0], own[0]), y = scale_of(axes[1], own[1]);
   std::vector<MapLine> lines;
@@ -65,9 +49,9 @@ void add_curves(const std::string& path, const std::string& map_path, Picture* p
     for (const StoredCurve& curve : stored.curves) {
       if (curve.kind != style.kind) continue;
       is_there = true;
-      for (const Stretch& stretch : stretches_of(curve)) {
+      for (const CurveStretch& stretch : stretches_of(curve)) {
         MapLine line{
-            {}, style.colour, style.dashes, "", stretch.is_stable ? kLineWidth : kThinWidth};
+            {}, style.colour, style.dashes, "", stretch.is_stable ? kCurveWidth : kThinCurveWidth};
         for (std::size_t i = stretch.first; i <= stretch.last; ++i) {
           line.points.emplace_back(x * curve.places[i].first, y * curve.places[i].second);
         }
@@ -75,7 +59,7 @@ void add_curves(const std::string& path, const std::string& map_path, Picture* p
           MapLine rim = line;  // so that it is seen on any colour
           rim.colour = "#ffffff";
           rim.dashes = "1";
-          rim.width = kRimWidth;
+          rim.width = kCurveRimWidth;
           picture->lines.push_back(std::move(rim));
           lines.push_back(std::move(line));
         } else {

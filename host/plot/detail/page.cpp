@@ -13,7 +13,7 @@
 namespace gearsweep {
 namespace {
 
-constexpr double kPointsPerInch = 72.0, kMmPerInch = 25.4;
+constexpr double kPointsPerInch = 72.0;
 constexpr double kSvgPixelsPerInch = 96.0;
 // What gnuplot's lengths are in its own units: its letters in points of 1/96 inch, the diameter of
 // a point of size 1.
