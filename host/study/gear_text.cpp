@@ -7,12 +7,29 @@
 #include <vector>
 
 #include "gear/conversion.hpp"
+#include "model/error.hpp"
 #include "study/builtin_models.hpp"
 #include "study/detail/gear_lines.hpp"
 #include "study/draft.hpp"
 #include "study/toml_text.hpp"
 
 namespace gearsweep {
+namespace {
+
+std::vector<std::string> quantities_of(const std::string& model) {
+  if (model == "planetary") {
+    return {"dmf_s1_dynamic_load_factor",
+            "dmf_r1_dynamic_load_factor",
+            "dmf_s1_max",
+            "dmf_r1_max",
+            "sun1_contact_class",
+            "bearing_sun_max"};
+  }
+  return {"dmf1_dynamic_load_factor", "dmf2_dynamic_load_factor", "dmf1_max", "dmf2_max",
+          "first_contact_class",      "second_contact_class"};
+}
+
+}  // namespace
 
 std::string gear_text(GearText text, const std::string& source) {
   const Model& gear5 = *find_model("gear5");
@@ -49,9 +66,11 @@ std::string unit_text(UnitText text, const std::string& source) {
              fmt::format("{}{} = {}\n", one.is_default ? "# " : "", one.name, one.value);
   }
   const Study draft = read_draft(study, source);
+  const std::string wrong = draft.model->check(draft.setting);
+  if (!wrong.empty()) throw InputError(fmt::format("{}: {}", source, wrong));
   const auto& [first, drawing] = text.drawings.front();
   std::vector<std::string> quantities;
-  for (const std::string& name : text.quantities) quantities.push_back(toml_quoted(name));
+  for (const std::string& name : quantities_of(text.model)) quantities.push_back(toml_quoted(name));
   const std::string head =
       comments(text.about) + fmt::format("title = {}\n", toml_quoted(text.title)) + study;
   if (!drawing.spectrum.empty()) return head + spectrum_table("_" + first, drawing);
