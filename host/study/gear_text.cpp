@@ -29,6 +29,18 @@ std::vector<std::string> quantities_of(const std::string& model) {
           "first_contact_class",      "second_contact_class"};
 }
 
+// As the list of a drawing.
+std::string guesses_of(const std::vector<UnitTextParameter>& parameters) {
+  std::vector<std::string> names;
+  for (const UnitTextParameter& one : parameters) {
+    const bool is_guess = one.origin.find("ESTIMATE") != std::string::npos;
+    if (is_guess && !one.is_default) names.push_back(fmt::format("  \"{}\"", one.name));
+  }
+  if (names.empty()) return "";
+  return comment("what is estimated of these, for reports") +
+         fmt::format("estimated = [\n{},\n]\n", fmt::join(names, ",\n"));
+}
+
 }  // namespace
 
 std::string gear_text(GearText text, const std::string& source) {
@@ -65,6 +77,7 @@ std::string unit_text(UnitText text, const std::string& source) {
     study += comment(one.origin) +
              fmt::format("{}{} = {}\n", one.is_default ? "# " : "", one.name, one.value);
   }
+  study += guesses_of(text.parameters);
   const Study draft = read_draft(study, source);
   const std::string wrong = draft.model->check(draft.setting);
   if (!wrong.empty()) throw InputError(fmt::format("{}: {}", source, wrong));

@@ -43,8 +43,8 @@ UnitText idler_text(const NewUnit& unit) {
   const std::vector<int>& teeth = unit.teeth;
   UnitText text;
   text.model = "idler";
-  text.title = fmt::format("Driver {}, idler {}, last gear {} teeth, module {} mm", teeth[0],
-                           teeth[1], teeth[2], unit.module_mm[0]);
+  text.title = fmt::format("Three gears in a row {}/{}/{}, module {} mm", teeth[0], teeth[1],
+                           teeth[2], unit.module_mm[0]);
   text.about = fmt::format(
       "Three gears in a row: a driver of {} teeth, an idler of {}, a last gear of {}, module {} "
       "mm.\nThe torque on the driver is the load of both meshes. The idler is in both drawings: "
@@ -101,8 +101,7 @@ class PlanetarySetText {
     const int sun = unit_.teeth[0], planet = unit_.teeth[1], ring = unit_.teeth[2];
     text_.model = "planetary";
     text_.title =
-        fmt::format("Planetary set: sun {}, three planets {}, ring {} teeth, module {} mm", sun,
-                    planet, ring, unit_.module_mm[0]);
+        fmt::format("Planetary set {}/{}/{}, module {} mm", sun, planet, ring, unit_.module_mm[0]);
     text_.about = fmt::format(
         "A planetary set: a sun of {} teeth that drives, three planets of {}, a ring of {} that "
         "the housing holds, module {} mm. The carrier is the output.\nThe torque is that on the "

@@ -151,16 +151,30 @@ void add_runout(const Study& study, const DrawingTable& from, const GearDrawing&
                   "the gears are mounted with any teeth in mesh"});
 }
 
+// What the study may give a tolerance to: the torque of its drawing, else a parameter.
+std::string name_to_scatter(const Study& study, const std::vector<DrawingTable>& drawings) {
+  for (const DrawingTable& from : drawings) {
+    const std::string torque = std::string(kTorque.name) + from.suffix;
+    if (from.table == nullptr || !from.table->contains(kTorque.name) || is_on_axis(study, torque)) {
+      continue;
+    }
+    return torque;
+  }
+  const std::optional<std::size_t> load = study.model->parameter_of(Role::load);
+  return load ? study.model->parameters[*load].name : study.model->parameters.front().name;
+}
+
 }  // namespace
 
 std::vector<UsualTolerance> usual_tolerances(const Study& study, int tolerance_class) {
   const toml::table root = toml::parse(study.toml);
   const std::vector<DrawingTable> drawings = drawing_tables(root, *study.model);
   if (drawings.size() != 1 || drawings.front().table == nullptr) {
-    throw InputError(
+    throw InputError(fmt::format(
         "what scatters is not known: usual tolerances are those of a study with one [gear] table; "
-        "give the study an [uncertain] table, such as\n  [uncertain]\n  mu = {distribution = "
-        "\"normal\", std = 0.01}");
+        "give the study an [uncertain] table, such as\n  [uncertain]\n  {} = {{distribution = "
+        "\"normal\", std = 0.05, relative = true}}",
+        name_to_scatter(study, drawings)));
   }
   const DrawingTable& from = drawings.front();
   GearValues values;

@@ -125,6 +125,22 @@ TEST(NewUnit, MarksOnlyWhatNobodyGave) {
               AllOf(HasSubstr("\ntorque_N_m = 250\n"), HasSubstr("at each of three planets")));
 }
 
+TEST(NewUnit, SaysToReportsWhatIsGuessed) {
+  const std::string text = new_unit_study(planets());
+  const Study study = read_study(text, "new.toml");
+  const auto origin = [&](const char* name) {
+    return study.parameter_origins[static_cast<std::size_t>(study.model->find_parameter(name))];
+  };
+  EXPECT_THAT(origin("mass_carrier"), HasSubstr("estimated, new.toml:"));
+  EXPECT_THAT(origin("z_ring"), Not(HasSubstr("estimated")));
+  EXPECT_THAT([&] { read_study(text, "s", {"parameters.estimated=['torque']"}); },
+              ::testing::ThrowsMessage<InputError>(HasSubstr("'torque' is none")));
+  EXPECT_THAT([&] { read_study(text, "s", {"parameters.estimated=3"}); },
+              ::testing::ThrowsMessage<InputError>(HasSubstr("is a list of parameters")));
+  // One that is not given any more may stay in the list.
+  EXPECT_NO_THROW(read_study(text, "s", {"parameters.estimated=['k_ring']"}));
+}
+
 // Of watches and mills, with few teeth and with many.
 TEST(NewUnit, IsOfAnySize) {
   for (const double module : {0.2, 2.0, 20.0}) {

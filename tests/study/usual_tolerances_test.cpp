@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "model/error.hpp"
+#include "study/new_unit.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -54,6 +55,11 @@ TEST(UsualTolerances, LeaveOutWhatAnAxisHas) {
 }
 
 TEST(UsualTolerances, RefuseWhatTheStandardDoesNotHave) {
+  // Of several drawings a tolerance that the study takes is named.
+  const NewUnit row = {GearArrangement::idler, {19, 33, 61}, {2.5, 2.5}, {}, {}, {}};
+  EXPECT_THAT([&] { usual_tolerances(study_of(new_unit_study(row)), 7); },
+              ::testing::ThrowsMessage<InputError>(
+                  HasSubstr("torque_N_m_first = {distribution = \"normal\"")));
   EXPECT_THAT([] { usual_tolerances(study_of(kGear + kToleranceSpeeds), 12); },
               ThrowsMessage<InputError>(HasSubstr("from 1 to 11")));
   EXPECT_THAT(
