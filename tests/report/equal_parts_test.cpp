@@ -29,8 +29,7 @@ TEST(ReportWords, AreThoseOfTheModelsSignals) {
             "dynamic load factor of planets 1 to 3 and ring");
   EXPECT_EQ(words("ring1_contact_gap"), "share of time without contact of planet 1 and ring");
   EXPECT_EQ(words("bearing_sun_max"), "largest force on the bearing of the sun");
-  EXPECT_EQ(words("dmf_s1_order_2_amplitude"),
-            "amplitude of the force of sun and planet 1, order 2");
+  EXPECT_EQ(words("dmf_s1_order_2_amplitude"), "order 2 of the force of sun and planet 1");
   // These have their words in every picture.
   EXPECT_EQ(words("dte_peak_to_peak"), "range of transmission error");
   EXPECT_EQ(words_html(*find_model("gear5"), "dmf_max"), "largest meshing force");

@@ -12,6 +12,7 @@
 #include "model/error.hpp"
 #include "report/detail/scatter.hpp"
 #include "report/detail/scatter_page.hpp"
+#include "study/new_unit.hpp"
 #include "support/folder.hpp"
 #include "support/run.hpp"
 #include "support/xml.hpp"
@@ -19,6 +20,7 @@
 namespace gearsweep::testing {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
@@ -137,6 +139,23 @@ TEST(ToleranceReport, IsAPageWithGearsThatRun) {
 }
 
 // Numbers for programs are those of the draws, whose closed form is known, each with its unit.
+// Gears of several meshes are judged by the first, which the page names.
+TEST(ToleranceReport, OfSeveralMeshesNamesThem) {
+  const NewUnit row = {GearArrangement::idler, {19, 33, 61}, {2.5, 2.5}, {25.0, 25.0}, {}, 59.0};
+  ToleranceOptions options;
+  options.gears = 12;
+  options.command_line = "gearsweep tolerance";
+  const Study study = read_study(new_unit_study(row), "row.toml",
+                                 {"axes.0.count=2", "integrate.settle=30", "integrate.record=8"});
+  const Scatter scatter = find_scatter(study, options).value();
+  const std::string html = scatter_page(scatter, options).text();
+  EXPECT_EQ(malformed(html), "");
+  EXPECT_THAT(html, AllOf(HasSubstr("have a dynamic load factor of the first mesh of at most"),
+                          HasSubstr("largest force of the second mesh"),
+                          HasSubstr("second: transmission error <span"),
+                          HasSubstr("first: stiffness factor <span")));
+}
+
 TEST(ToleranceReport, TellsProgramsWhatThePageSays) {
   const Folder folder;
   ToleranceOptions options;

@@ -120,9 +120,24 @@ void add_speeds(const Scatter& scatter, const ToleranceOptions& options, const R
       quantity_cell(*scatter.study.model, target), scatter.gears()));
 }
 
+// "second: transmission error" of "transmission_error_um_second"; empty of other names. Text.
+std::string words_of_drawing_key(const Model& model, const std::string& name) {
+  for (const std::string& drawing : model.drawings) {
+    const std::string suffix = "_" + drawing;
+    if (!name.ends_with(suffix)) continue;
+    const std::string stem = name.substr(0, name.size() - suffix.size());
+    const bool is_key = std::ranges::any_of(
+        kGearKeys, [&](const GearKey& key) { return stem.ends_with(key.name); });
+    if (is_key) return fmt::format("{}: {}", drawing, words_and_unit(stem).first);
+  }
+  return "";
+}
+
 // In words, with the name that studies have beside them: a key of the drawing says itself what it
 // is.
 std::string tolerance_html(const Scatter& scatter, const std::string& name) {
+  const std::string of_drawing = words_of_drawing_key(*scatter.study.model, name);
+  if (!of_drawing.empty()) return html_named(html_text(of_drawing), name);
   const std::vector<UncertainParameter>& all = scatter.study.uncertain.parameters;
   const auto found =
       std::ranges::find(all, name, [](const UncertainParameter& one) { return one.draws.name; });
@@ -157,13 +172,13 @@ void add_ranking(const Scatter& scatter, const ToleranceOptions& options, const 
   const double scale = scatter.scale_of(scatter.target);
   const double now = scatter.percentiles[scatter.worst].value;
   for (const RankedTolerance& one : scatter.ranking) {
-    table.rows.push_back({tolerance_html(scatter, one.name),
-                          fmt::format("{:.2f} ± {:.2f}", one.first, one.first_error),
-                          fmt::format("{:.2f}", one.total),
-                          one.tightened
-                              ? fmt::format("{} ({:+.1f} %)", html_number(*one.tightened * scale),
-                                            100.0 * (*one.tightened / now - 1.0))
-                              : "–"});
+    table.rows.push_back(
+        {tolerance_html(scatter, one.name),
+         fmt::format("{:.2f}\u00a0±\u00a0{:.2f}", one.first, one.first_error),
+         fmt::format("{:.2f}", one.total),
+         one.tightened ? fmt::format("{} ({:+.1f}\u00a0%)", html_number(*one.tightened * scale),
+                                     100.0 * (*one.tightened / now - 1.0))
+                       : "–"});
   }
   page->table(table);
   page->small(fmt::format(

@@ -56,14 +56,14 @@ bool has_own_words(const ChannelInfo& signal) {
          quantity_html(signal.name) != html_text(spaced(signal.name));
 }
 
-// "amplitude of the X, order 2" of "_order_2_amplitude"; empty of other endings.
+// "order 2 of the X" of "_order_2_amplitude"; empty of other endings.
 std::string order_words(const std::string& ending, const std::string& what) {
   constexpr std::string_view kOrder = "_order_", kAmplitude = "_amplitude";
   if (!ending.starts_with(kOrder) || !ending.ends_with(kAmplitude)) return "";
   std::string number =
       ending.substr(kOrder.size(), ending.size() - kOrder.size() - kAmplitude.size());
   std::ranges::replace(number, '_', '.');
-  return fmt::format("amplitude of the {}, order {}", what, number);
+  return fmt::format("order {} of the {}", number, what);
 }
 
 std::string with_ending(const std::string& ending, const std::string& what) {
