@@ -80,8 +80,11 @@ void add_band_pictures(const Scatter& scatter, const ToleranceOptions& options, 
                     2.0 * options.percentile - 100.0)));
   }
   if (!scatter.parting.empty()) {
-    const bool parts = scatter.parting_anywhere > 0.0;
-    if (parts) {
+    // Of several contacts there is no one share.
+    const bool has_one = std::ranges::any_of(
+        scatter.study.selection.quantities,
+        [](const Quantity& quantity) { return quantity.name == "contact_class"; });
+    if (has_one && scatter.parting_anywhere > 0.0) {
       figures.push_back(band_figure(scatter, "contact_class_no_impact_share",
                                     "share of gears that stay in contact",
                                     "Share of the gears whose teeth stay in contact"));
