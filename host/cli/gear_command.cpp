@@ -1,4 +1,4 @@
-// gearsweep gear: what follows from the drawing of a gear pair, and the study of a new one.
+// gearsweep gear: what follows from the drawings of a study.
 #include <fmt/format.h>
 
 #include <array>
@@ -10,18 +10,16 @@
 #include "cli/commands.hpp"
 #include "cli/detail/arguments.hpp"
 #include "cli/detail/gear_import.hpp"
+#include "cli/detail/gear_new.hpp"
 #include "cli/detail/study_source.hpp"
 #include "cli/detail/text_table.hpp"
 #include "cli/standard_streams.hpp"
 #include "model/error.hpp"
 #include "model/exciting_meshes.hpp"
 #include "model/names.hpp"
-#include "model/parse_number.hpp"
 #include "orders/natural_modes.hpp"
 #include "result/json_text.hpp"
-#include "result/output_file.hpp"
 #include "result/study_source.hpp"
-#include "study/new_gear.hpp"
 
 namespace gearsweep {
 namespace {
@@ -29,9 +27,8 @@ namespace {
 constexpr std::array kOrders = {1, 2, 3};  // of the mesh frequency
 
 struct GearArguments {
-  std::string study, teeth, output;
+  std::string study;
   std::vector<std::string> overrides;
-  NewGear gear;
   bool as_json = false;
 };
 
@@ -117,67 +114,13 @@ void show(const GearArguments& arguments) {
   }
 }
 
-// "19/61"
-std::array<int, 2> read_teeth(const std::string& text) {
-  const std::vector<std::string> parts = split(text, '/');
-  const std::optional<int> pinion = parse_number<int>(parts.front());
-  const std::optional<int> gear = parse_number<int>(parts.back());
-  if (parts.size() != 2 || !pinion || !gear) {
-    throw InputError(
-        fmt::format("'{}' is no pair of numbers of teeth; 19/61 is one, the pinion first", text));
-  }
-  return {*pinion, *gear};
-}
-
-void begin(GearArguments arguments) {
-  arguments.gear.teeth = read_teeth(arguments.teeth);
-  const std::string text = new_gear_study(arguments.gear);
-  if (arguments.output.empty()) {
-    answer("{}", text);
-    return;
-  }
-  if (std::filesystem::exists(arguments.output)) {
-    throw InputError(fmt::format("'{}' is there; give another name", arguments.output));
-  }
-  write_file(arguments.output, text);
-  tell(
-      "{} is a study: put your own numbers at ESTIMATE, then\n"
-      "  gearsweep gear {}\n  gearsweep run {} -o result.nc --plot result.png\n",
-      arguments.output, shell_quoted(arguments.output), shell_quoted(arguments.output));
-}
-
-void add_new_command(CLI::App* gear, const std::shared_ptr<GearArguments>& arguments) {
-  CLI::App* command = gear->add_subcommand("new", "Begin the study of a gear pair");
-  command->add_option("TEETH", arguments->teeth, "Numbers of teeth, the pinion first: 19/61")
-      ->required();
-  command->add_option("--module", arguments->gear.module_mm, "Module in mm")
-      ->required()
-      ->type_name("MM")
-      ->check(positive_number());
-  command->add_option("--width", arguments->gear.face_width_mm, "Face width in mm")
-      ->type_name("MM")
-      ->check(positive_number());
-  command->add_option("--torque", arguments->gear.torque_N_m, "Torque on the pinion in N m")
-      ->type_name("NM")
-      ->check(positive_number());
-  command->add_option("--helix", arguments->gear.helix_angle_deg, "Helix angle in degrees")
-      ->type_name("DEG")
-      ->check(number_between(0.0, 45.0));
-  command->add_option("-o,--output", arguments->output, "A file to write (default: to the screen)")
-      ->type_name(kFileValue);
-  command->footer(
-      "The study runs as it is. What is not given is estimated, and marked as that.\n\n"
-      "Example:\n  gearsweep gear new 19/61 --module 2.5 --width 25 --torque 60 -o mine.toml");
-  command->callback([arguments] { begin(*arguments); });
-}
-
 }  // namespace
 
 void add_gear_command(CLI::App* app) {
   CLI::App* command =
       app->add_subcommand("gear", "Show what follows from a drawing, or begin a study of one");
   const auto arguments = std::make_shared<GearArguments>();
-  add_new_command(command, arguments);
+  add_gear_new_command(command);
   add_gear_import_command(command);
   command
       ->add_option("STUDY", arguments->study,

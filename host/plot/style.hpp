@@ -36,6 +36,9 @@ struct PlotStyle {
   std::string font = "DejaVu Sans";
   double font_size = 0.0;  // in points; 0: 8 at print sizes up to 100 mm, else 9
   std::optional<std::string> title, xlabel, ylabel, label;
+  // What the quantity, or the signal of an order map, is called where its name says too little. Of
+  // no option.
+  std::optional<std::string> words;
   std::vector<std::string> legend;
   Limits xrange, yrange, range;
   std::string colormap;  // one of colormap_names(); empty: what suits the map

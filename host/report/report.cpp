@@ -7,6 +7,7 @@
 #include "model/error.hpp"
 #include "model/version.hpp"
 #include "plot/plot.hpp"
+#include "report/detail/equal_parts.hpp"
 #include "report/detail/highlights.hpp"
 #include "report/detail/load_spectrum.hpp"
 #include "report/detail/page_file.hpp"
@@ -82,6 +83,7 @@ bool write_report(const ReportStudies& studies, const std::string& path,
     if (!findings) return false;
     sides.push_back(*std::move(findings));
   }
+  join_equal_parts(&sides);
   if (options.on_step) options.on_step("pictures");
   HtmlPage page(title_of(studies));
   add_answers(sides, &page);

@@ -40,6 +40,7 @@ class UnitReader {
         read_bearing(one);
       }
     }
+    note_rigid_bearings();
     for (const RexsComponent& one : document_.components) {
       if (one.type.ends_with("_stage")) read_stage(one);
     }
@@ -78,6 +79,18 @@ class UnitReader {
     return std::nullopt;
   }
 
+  // One note for all of one stiffness.
+  void note_rigid_bearings() {
+    for (const auto& [stiffness, bearings] : rigid_) {
+      const std::size_t more = bearings.size() - 1;
+      lookup_.note(fmt::format(
+          "{}{}: a radial_stiffness of {:g} N/mm stands for a rigid bearing; not taken",
+          lookup_.place(*bearings.front()),
+          more == 0 ? "" : fmt::format(" and {} bearing{} more", more, more == 1 ? "" : "s"),
+          stiffness));
+    }
+  }
+
   void read_bearing(const RexsComponent& component) {
     UnitBearing bearing;
     bearing.id = component.id;
@@ -95,10 +108,7 @@ class UnitReader {
     const auto stiffness = lookup_.number(component, "radial_stiffness", RexsQuantity::stiffness);
     if (stiffness && *stiffness > 0.0 && *stiffness < kRigid) bearing.radial_stiffness = stiffness;
     if (stiffness && *stiffness >= kRigid) {
-      lookup_.note(
-          fmt::format("{}: its radial_stiffness, {:g} N/mm, stands for a rigid bearing; "
-                      "not taken",
-                      lookup_.place(component), *stiffness));
+      rigid_[*stiffness].push_back(&component);
     }
     out_.bearings.push_back(std::move(bearing));
   }
@@ -276,6 +286,8 @@ class UnitReader {
   const RexsDocument& document_;
   RexsLookup lookup_;
   std::map<std::string_view, std::size_t> shafts_, gears_;
+  std::map<double, std::vector<const RexsComponent*>>
+      rigid_;  // bearings by a stiffness too high to be one
   GearUnit out_;
 };
 

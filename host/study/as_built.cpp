@@ -10,7 +10,6 @@
 namespace gearsweep {
 namespace {
 
-constexpr const char* kContactClass = "contact_class";
 constexpr int kHeardOrders = 3;  // of the transmission error
 
 // The force first, what gears are judged by, and what an engineer looks at beside it.
@@ -47,7 +46,10 @@ std::vector<std::string> looked_at(const Model& model, AsBuilt* built) {
     add(signal.name + "_max");
     add_orders(signal.name, 1);
   }
-  add(kContactClass);
+  // Of one contact, or of each.
+  for (const Quantity& quantity : offered) {
+    if (is_contact_class(quantity.name)) wanted.push_back(quantity.name);
+  }
   return wanted;
 }
 
@@ -70,6 +72,11 @@ std::vector<std::string> as_built_overrides(const Study& study, const AsBuiltOpt
 }
 
 }  // namespace
+
+bool is_contact_class(const std::string& quantity) {
+  constexpr const char* kContactClass = "contact_class";
+  return quantity == kContactClass || quantity.ends_with(std::string("_") + kContactClass);
+}
 
 AsBuilt as_built(const Study& study, const AsBuiltOptions& options) {
   const auto is_point_list = [](const Axis& axis) { return axis.name == kPointAxis; };

@@ -29,4 +29,7 @@ struct AsBuilt {
 // usual_tolerances().
 AsBuilt as_built(const Study& study, const AsBuiltOptions& options);
 
+// Whether a quantity is the class of a model's one contact, or of one of several.
+bool is_contact_class(const std::string& quantity);
+
 }  // namespace gearsweep

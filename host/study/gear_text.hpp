@@ -54,10 +54,10 @@ struct UnitText {
   std::vector<std::pair<std::string, GearText>> drawings;    // by the model's names; title and
                                                              // about of each are not used
   std::vector<UnitTextParameter> parameters;                 // of the model
-  std::vector<std::string> quantities;
 };
 
-// The same of such a model, over speeds of the first drawing's pinion.
+// The same of such a model, over speeds of the first drawing's pinion. It observes load factors,
+// forces and contact. Throws InputError for gears that the model refuses, too.
 std::string unit_text(UnitText text, const std::string& source);
 
 }  // namespace gearsweep

@@ -83,19 +83,6 @@ void compare_contact_ratio(const StageDrawing& drawing, double ours, const std::
                   where, ours, *drawing.contact_ratio));
 }
 
-std::vector<std::string> quantities_of(const std::string& model) {
-  if (model == "two_stages") {
-    return {"dmf1_dynamic_load_factor", "dmf2_dynamic_load_factor", "dmf1_max", "dmf2_max",
-            "first_contact_class",      "second_contact_class"};
-  }
-  return {"dmf_s1_dynamic_load_factor",
-          "dmf_r1_dynamic_load_factor",
-          "dmf_s1_max",
-          "dmf_r1_max",
-          "sun1_contact_class",
-          "bearing_sun_max"};
-}
-
 }  // namespace
 
 ImportedGear imported_gear_study(const StageDrawing& drawing, const std::string& source,
@@ -124,7 +111,6 @@ ImportedGear imported_unit_study(const UnitDrawing& drawing, const std::string& 
   text.about = drawing.about + kEstimates;
   text.model = drawing.model;
   text.options = drawing.options;
-  text.quantities = quantities_of(drawing.model);
   for (const DrawnParameter& one : drawing.parameters) {
     text.parameters.push_back({one.name, one.value, one.origin, one.is_default});
   }

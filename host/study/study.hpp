@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gear/datum.hpp"
@@ -127,6 +128,9 @@ struct MotionReach {
   std::vector<double> low, high;  // [state]
 };
 
+// What the origin of a parameter begins with whose value is a guess.
+inline constexpr std::string_view kEstimatedOrigin = "estimated";
+
 struct Study {
   std::string title;
   const Model* model = nullptr;
@@ -136,8 +140,8 @@ struct Study {
   ModelSetting setting;
   // What derived parameters follow from: the model is bound to them.
   ParameterExpressions expressions;
-  std::vector<std::string>
-      parameter_origins;  // "preset coarse", "study.toml:12", one per parameter
+  // "preset coarse", "study.toml:12", "estimated, study.toml:12", one per parameter.
+  std::vector<std::string> parameter_origins;
   std::vector<std::string> option_origins;
   std::vector<std::string> gear_notes;               // how each number of a [gear] table came about
   std::vector<GearDatum> gear_data;                  // and what its numbers rest on

@@ -89,8 +89,13 @@ StudyTable parameters_table() {
       "given as a list: kappa = [0.1, 0.02]. A constant of the model's text that is a "
       "plain number may be given, too."};
   parameter.is_pattern = true;
-  return {
-      "parameters", "[parameters]", "An axis wins over a parameter of the same name.", {parameter}};
+  const StudyKey estimated{
+      "estimated", "list of strings", "",
+      "Those of the parameters above whose values are guesses: a report says so."};
+  return {"parameters",
+          "[parameters]",
+          "An axis wins over a parameter of the same name.",
+          {parameter, estimated}};
 }
 
 // In the order of KeyForm.

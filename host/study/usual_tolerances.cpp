@@ -28,10 +28,17 @@ bool is_on_axis(const Study& study, std::string_view name) {
   return false;
 }
 
+// What a study calls a key of the drawing: "torque_N_m", or "torque_N_m_first".
+std::string name_of(const DrawingTable& from, std::string_view key) {
+  return std::string(key) + from.suffix;
+}
+
 // Whether the drawing gives the key as one number, which no axis has.
 std::optional<double> one_number(const Study& study, const DrawingTable& from, const GearKey& key) {
   const toml::node* node = from.table->get(key.name);
-  if (node == nullptr || !node->is_number() || is_on_axis(study, key.name)) return std::nullopt;
+  if (node == nullptr || !node->is_number() || is_on_axis(study, name_of(from, key.name))) {
+    return std::nullopt;
+  }
   return node->value<double>();
 }
 
@@ -40,7 +47,8 @@ std::optional<double> one_of_pair(const Study& study, const DrawingTable& from, 
                                   std::size_t member) {
   const toml::node* node = from.table->get(key.name);
   if (node != nullptr && node->is_array()) node = node->as_array()->get(member);
-  const bool is_swept = is_on_axis(study, key.name) || is_on_axis(study, member_name(key, member));
+  const bool is_swept = is_on_axis(study, name_of(from, key.name)) ||
+                        is_on_axis(study, name_of(from, member_name(key, member)));
   const double value = node == nullptr || is_swept ? 0.0 : node->value_or(0.0);
   return value == 0.0 ? std::nullopt : std::optional(value);
 }
@@ -134,7 +142,7 @@ void add_runout(const Study& study, const DrawingTable& from, const GearDrawing&
     if (!one_of_pair(study, from, kRunout, i)) continue;
     const double deviation = flanks_of(drawing, tolerance_class)[i].runout / (2.0 * kSigmas);
     all->push_back(
-        {member_name(kRunout, i),
+        {name_of(from, member_name(kRunout, i)),
          fmt::format(R"({{distribution = "normal", std = {:.4g}, folded = true}})", deviation),
          fmt::format("runout by ISO 1328-1 class {}, half of which is the eccentricity",
                      tolerance_class)});
@@ -143,32 +151,26 @@ void add_runout(const Study& study, const DrawingTable& from, const GearDrawing&
   const std::vector<double>& teeth = drawing.list(kTeeth);
   const bool have_own_pairs = std::gcd(std::lround(teeth[0]), std::lround(teeth[1])) > 1;
   if (!have_own_pairs || !one_of_pair(study, from, kRunout, 0) ||
-      !one_of_pair(study, from, kRunout, 1) || is_on_axis(study, kRunoutPhase.name)) {
+      !one_of_pair(study, from, kRunout, 1) ||
+      is_on_axis(study, name_of(from, kRunoutPhase.name))) {
     return;
   }
-  all->push_back({member_name(kRunoutPhase, 0),
+  all->push_back({name_of(from, member_name(kRunoutPhase, 0)),
                   R"({distribution = "uniform", from = 0.0, to = 360.0})",
                   "the gears are mounted with any teeth in mesh"});
 }
 
-}  // namespace
+// What a study without a drawing may give a tolerance to.
+std::string name_to_scatter(const Study& study) {
+  const std::optional<std::size_t> load = study.model->parameter_of(Role::load);
+  return load ? study.model->parameters[*load].name : study.model->parameters.front().name;
+}
 
-std::vector<UsualTolerance> usual_tolerances(const Study& study, int tolerance_class) {
-  const toml::table root = toml::parse(study.toml);
-  const std::vector<DrawingTable> drawings = drawing_tables(root, *study.model);
-  if (drawings.size() != 1 || drawings.front().table == nullptr) {
-    throw InputError(
-        "what scatters is not known: usual tolerances are those of a study with one [gear] table; "
-        "give the study an [uncertain] table, such as\n  [uncertain]\n  mu = {distribution = "
-        "\"normal\", std = 0.01}");
-  }
-  const DrawingTable& from = drawings.front();
-  GearValues values;
-  for (const Axis& axis : study.axes) values[axis.name] = axis.values.front();
-  const GearDrawing drawing = read_drawing(from, values);
-  std::vector<UsualTolerance> all;
-  const auto add = [&](std::string_view name, std::string distribution, std::string reason) {
-    all.push_back({std::string(name), std::move(distribution), std::move(reason)});
+// What scatters of one drawing; with the first of them, friction.
+void add_of_drawing(const Study& study, const DrawingTable& from, const GearDrawing& drawing,
+                    int tolerance_class, bool is_first, std::vector<UsualTolerance>* all) {
+  const auto add = [&](std::string_view key, std::string distribution, std::string reason) {
+    all->push_back({name_of(from, key), std::move(distribution), std::move(reason)});
   };
   if (one_number(study, from, kTorque)) {
     add(kTorque.name, R"({distribution = "normal", std = 0.05, relative = true})",
@@ -182,10 +184,12 @@ std::vector<UsualTolerance> usual_tolerances(const Study& study, int tolerance_c
                     "the mesh",
                     tolerance_class));
   }
-  add_runout(study, from, drawing, tolerance_class, &all);
-  if (study.model->find_parameter("mu") >= 0 && !is_on_axis(study, "mu")) {
-    add("mu", R"({distribution = "triangular", from = 0.6, mode = 1.0, to = 1.4, relative = true})",
-        "estimate: friction is known to 40 % at most");
+  add_runout(study, from, drawing, tolerance_class, all);
+  if (is_first && study.model->find_parameter("mu") >= 0 && !is_on_axis(study, "mu")) {
+    all->push_back(
+        {"mu",
+         R"({distribution = "triangular", from = 0.6, mode = 1.0, to = 1.4, relative = true})",
+         "estimate: friction is known to 40 % at most"});
   }
   if (one_number(study, from, kHalfBacklash)) {
     add(kHalfBacklash.name, R"({distribution = "uniform", from = 0.7, to = 1.3, relative = true})",
@@ -196,9 +200,10 @@ std::vector<UsualTolerance> usual_tolerances(const Study& study, int tolerance_c
         R"({distribution = "triangular", from = 0.5, mode = 1.0, to = 1.5, relative = true})",
         "estimate: damping is known to 50 % at most");
   }
-  if (study.model->find_parameter("stiffness_factor") >= 0 &&
+  const std::string factor = name_of(from, kStiffnessFactor.name);
+  if (study.model->find_parameter(factor) >= 0 &&
       (from.table->get(kStiffnessFactor.name) == nullptr
-           ? !is_on_axis(study, kStiffnessFactor.name)
+           ? !is_on_axis(study, factor)
            : one_number(study, from, kStiffnessFactor).has_value())) {
     add(kStiffnessFactor.name,
         R"({distribution = "triangular", from = 0.8, mode = 1.0, to = 1.05, relative = true})",
@@ -208,6 +213,27 @@ std::vector<UsualTolerance> usual_tolerances(const Study& study, int tolerance_c
   if (one_number(study, from, kBearingStiffness)) {
     add(kBearingStiffness.name, R"({distribution = "normal", std = 0.1, relative = true})",
         "estimate: 10 % (one standard deviation)");
+  }
+}
+
+}  // namespace
+
+std::vector<UsualTolerance> usual_tolerances(const Study& study, int tolerance_class) {
+  const toml::table root = toml::parse(study.toml);
+  std::vector<DrawingTable> drawings = drawing_tables(root, *study.model);
+  std::erase_if(drawings, [](const DrawingTable& from) { return from.table == nullptr; });
+  if (drawings.empty()) {
+    throw InputError(fmt::format(
+        "what scatters is not known: usual tolerances are those of a study with a [gear] table; "
+        "give the study an [uncertain] table, such as\n  [uncertain]\n  {} = {{distribution = "
+        "\"normal\", std = 0.05, relative = true}}",
+        name_to_scatter(study)));
+  }
+  std::vector<UsualTolerance> all;
+  for (const DrawingTable& from : drawings) {
+    const bool is_first = &from == &drawings.front();
+    const GearValues values = first_values(root, *study.model, from, study.axes);
+    add_of_drawing(study, from, read_drawing(from, values), tolerance_class, is_first, &all);
   }
   return all;
 }

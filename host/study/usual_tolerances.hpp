@@ -14,10 +14,10 @@ struct UsualTolerance {
   std::string reason;        // what it rests on, a sentence without its full stop
 };
 
-// What the drawing of a study with one [gear] table leaves open. Errors of the flanks are those of
+// What the drawings of a study leave open. Errors of the flanks are those of
 // ISO 1328-1:2013 of this class (gear/tolerance_class.hpp), of which three standard deviations are
 // the tolerance; all others are estimates, which the reasons say. What an axis gives is left out.
-// Throws InputError for a study without such a table, or gears to which the standard does not
+// Throws InputError for a study without a drawing, or gears to which the standard does not
 // apply.
 std::vector<UsualTolerance> usual_tolerances(const Study& study, int tolerance_class);
 

@@ -29,6 +29,65 @@ TEST(GearCommand, BeginsAStudyThatRuns) {
   EXPECT_THAT(again.err, HasSubstr("is there"));
 }
 
+// What each of the arrangements is written with, and its first drawing's pinion.
+class NewArrangement : public ::testing::TestWithParam<std::pair<const char*, const char*>> {};
+
+TEST_P(NewArrangement, RunsAsWritten) {
+  const auto& [command, mesh] = GetParam();
+  const Folder folder;
+  const Outcome begun =
+      gearsweep(folder, std::string("gear new ") + command + " --module 2.5 -o mine.toml");
+  ASSERT_EQ(begun.status, 0) << begun.err;
+  EXPECT_THAT(begun.err, HasSubstr("put your own numbers at ESTIMATE"));
+  const Outcome told = gearsweep(folder, "gear mine.toml");
+  EXPECT_EQ(told.status, 0) << told.err;
+  EXPECT_THAT(told.out, AllOf(HasSubstr("contact ratio"), HasSubstr(mesh)));
+  const Outcome run = gearsweep(folder,
+                                "run mine.toml -o mine.nc --set 'axes.0.count=2' --set "
+                                "integrate.settle=4 --set integrate.record=2");
+  EXPECT_EQ(run.status, 0) << run.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, NewArrangement,
+                         ::testing::Values(std::pair{"19/33/61", "damping"},
+                                           std::pair{"20/41 18/45", "1 of second"},
+                                           std::pair{"28/35/98 --planetary", "damping"}));
+
+TEST(GearCommand, GivesStagesTheirOwnNumbers) {
+  const Folder folder;
+  const Outcome told =
+      gearsweep(folder, "gear new 20/41 18/45 --module 2.5,4 --width 25,40 --helix 12,0");
+  ASSERT_EQ(told.status, 0) << told.err;
+  EXPECT_THAT(told.out, AllOf(HasSubstr("module_mm = 2.5\n"), HasSubstr("module_mm = 4\n"),
+                              HasSubstr("face_width_mm = 25\n"), HasSubstr("face_width_mm = 40\n"),
+                              HasSubstr("helix_angle_deg = 12\n")));
+}
+
+TEST(GearCommand, TeachesHowGearsAreGiven) {
+  const Folder folder;
+  const auto refusal = [&](const std::string& command) {
+    const Outcome refused = gearsweep(folder, "gear new " + command);
+    EXPECT_EQ(refused.status, 2) << command;
+    return refused.err;
+  };
+  EXPECT_THAT(refusal("19-61 --module 2"),
+              AllOf(HasSubstr("'19-61' is no number of teeth"), HasSubstr("19/61"),
+                    HasSubstr("20/41 18/45"), HasSubstr("28/35/98 --planetary")));
+  EXPECT_THAT(refusal("19/ --module 2"), HasSubstr("'' is no number of teeth"));
+  EXPECT_THAT(refusal("19 --module 2"), HasSubstr("one number of teeth makes no mesh"));
+  EXPECT_THAT(refusal("19/33/40/61 --module 2"), HasSubstr("rows of more than three gears"));
+  EXPECT_THAT(refusal("19/33 17/20 18/45 --module 2"), HasSubstr("more than two stages"));
+  EXPECT_THAT(refusal("19/33/61 18/45 --module 2"), HasSubstr("a stage is a pair of gears"));
+  EXPECT_THAT(refusal("28/35 --planetary --module 2"), HasSubstr("a sun, planets and a ring"));
+  EXPECT_THAT(refusal("28/35/98 --planetary --module 2,3"), HasSubstr("have one number"));
+  EXPECT_THAT(refusal("19/61 --module 2,3"), HasSubstr("have one number"));
+  EXPECT_THAT(refusal("20/41 18/45 --module 2,3,4"), HasSubstr("two stages have two numbers"));
+  EXPECT_THAT(refusal("19/61 --module -2"), HasSubstr("not a number greater than 0"));
+  EXPECT_THAT(refusal("19/61 --module 2 --helix 60"), HasSubstr("not a number from 0 to 45"));
+  // Three numbers in a row that would make a planetary set.
+  EXPECT_THAT(gearsweep(folder, "gear new 28/35/98 --module 2").err, HasSubstr("--planetary"));
+}
+
 TEST(GearCommand, ImportsAStageThatRuns) {
   const Folder folder;
   folder.write("unit.rexs", two_stage_xml());
@@ -119,7 +178,7 @@ TEST(GearCommand, SaysWhatIsWrong) {
   };
   EXPECT_THAT(refusal("gear"), HasSubstr("gearsweep gear new 19/61"));
   EXPECT_THAT(refusal("gear coarse-map"), HasSubstr("has no [gear] table"));
-  EXPECT_THAT(refusal("gear new 19-61 --module 2"), HasSubstr("no pair of numbers of teeth"));
+  EXPECT_THAT(refusal("gear new 19-61 --module 2"), HasSubstr("is no number of teeth"));
   EXPECT_THAT(refusal("gear new 19/61"), HasSubstr("--module"));
   EXPECT_THAT(refusal("gear new 2/61 --module 2"), HasSubstr("teeth"));
 }

@@ -114,6 +114,22 @@ TEST(PlotText, SymbolsAreSetAsInPrint) {
   EXPECT_EQ(settings_label("mu=0, teeth_ratio=2"), "{/:Italic μ} = 0, teeth ratio = 2");
 }
 
+TEST(PlotText, AxesOfTracesSayWhatTheyAreOf) {
+  EXPECT_EQ(channel_label({"x", "µm", "dynamic transmission error: the mesh deflection"}),
+            "dynamic transmission error {/:Italic x} (µm)");
+  EXPECT_EQ(channel_label({"v", "1", "velocity of x"}), "velocity {/:Italic v}");
+  EXPECT_EQ(channel_label({"x1", "1", "displacement R_p theta_p - e(t)"}),
+            "displacement {/:Italic x}_{1}");
+  EXPECT_EQ(channel_label({"dmf_s1", "N", "force of sun and planet 1, without damping"}),
+            "force of sun and planet 1 (N)");
+  // What has words of its own, is a word itself, or says too much.
+  EXPECT_EQ(channel_label({"dmf", "N", "dynamic meshing force"}), "meshing force (N)");
+  EXPECT_EQ(channel_label({"push", "N", "a force"}), "push (N)");
+  EXPECT_EQ(channel_label({"x", "1", "a meaning that is longer than an axis has room for"}),
+            "{/:Italic x}");
+  EXPECT_EQ(channel_label({"x", "1", ""}), "{/:Italic x}");
+}
+
 // For programs that draw with matplotlib: symbols between '$', and no other '$' that counts.
 TEST(PlotText, SymbolsAreBetweenDollarsInMathtext) {
   EXPECT_EQ(quantity_mathtext("v1_max", "b_n varpi"),

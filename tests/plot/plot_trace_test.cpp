@@ -48,11 +48,11 @@ TEST_F(PlotTraceTest, OnlyGearsHaveMeshPeriods) {
 
 TEST_F(PlotTraceTest, TimeIsTheDefaultAndShowsTheLastPeriods) {
   const std::string path = write_one();
-  EXPECT_THAT(
-      script_of({path}, ""),
-      AllOf(HasSubstr("\"{/:Italic x}_{1} ({/:Italic b}_{n})\""), HasSubstr("time (mesh periods)"),
-            HasSubstr("set xrange [0:10]"), HasSubstr("the last 10 periods"),
-            HasSubstr("two gears"), HasSubstr("at {/:Italic ω} = 0.5")));
+  EXPECT_THAT(script_of({path}, ""),
+              AllOf(HasSubstr("\"position {/:Italic x}_{1} ({/:Italic b}_{n})\""),
+                    HasSubstr("time (mesh periods)"), HasSubstr("set xrange [0:10]"),
+                    HasSubstr("the last 10 periods"), HasSubstr("two gears"),
+                    HasSubstr("at {/:Italic ω} = 0.5")));
   EXPECT_EQ(data().size(), 2U * 10U * 16U);
   PlotRequest three = request({path}, "time:v1");
   three.periods = 3;
@@ -66,8 +66,8 @@ TEST_F(PlotTraceTest, TimeIsTheDefaultAndShowsTheLastPeriods) {
 TEST_F(PlotTraceTest, APhasePortraitHasTheSectionsPoints) {
   const std::string script = script_of({write_one()}, "phase");
   EXPECT_THAT(script,
-              AllOf(HasSubstr("\"{/:Italic x}_{1} ({/:Italic b}_{n})\""),
-                    HasSubstr("\"{/:Italic v}_{1} ({/:Italic b}_{n}{/:Italic ϖ})\""),
+              AllOf(HasSubstr("\"position {/:Italic x}_{1} ({/:Italic b}_{n})\""),
+                    HasSubstr("\"velocity {/:Italic v}_{1} ({/:Italic b}_{n}{/:Italic ϖ})\""),
                     HasSubstr("record=(320)"), HasSubstr("record=(20)"), HasSubstr("\"phase 0\"")));
   // After the curve: sin and cos at phase 0, to rounding.
   const std::vector<double> numbers = data();
@@ -77,7 +77,7 @@ TEST_F(PlotTraceTest, APhasePortraitHasTheSectionsPoints) {
   }
   EXPECT_EQ(numbers.size(), 2U * (320U + 20U));
   EXPECT_THAT(script_of({write_one()}, "phase:dmf:x1"),
-              AllOf(HasSubstr("\"meshing force ("), HasSubstr("\"{/:Italic x}_{1} (")));
+              AllOf(HasSubstr("\"meshing force ("), HasSubstr("position {/:Italic x}_{1} (")));
 }
 
 // Names mean nothing: the file says which state is the rate of which.
@@ -86,8 +86,8 @@ TEST_F(PlotTraceTest, APhasePortraitIsOverTheStateWhoseRateIsDrawn) {
   trace.channels[0] = {"angle", "rad", "where it is"};
   trace.channels[2] = {"x7", "rad", "where it is", Role::none, "v1"};
   const std::string path = write("named.nc", {trace}, {"omega=0.5"});
-  EXPECT_THAT(script_of({path}, "phase"),
-              AllOf(HasSubstr("\"{/:Italic x}_{7} (rad)\""), HasSubstr("\"{/:Italic v}_{1} (")));
+  EXPECT_THAT(script_of({path}, "phase"), AllOf(HasSubstr("\"where it is {/:Italic x}_{7} (rad)\""),
+                                                HasSubstr("\"velocity {/:Italic v}_{1} (")));
   EXPECT_EQ(read_traces(path)[0].trace.channels[2].velocity, "v1");
   EXPECT_THAT(refused({path}, "phase:angle"), HasSubstr("has no velocity beside it"));
 }
@@ -107,7 +107,7 @@ TEST_F(PlotTraceTest, ASectionTakesEachPeriodOnce) {
 TEST_F(PlotTraceTest, ASpectrumIsInDecibelsOverTheOrder) {
   PlotRequest spectrum = request({write_one()}, "spectrum:x1");
   EXPECT_THAT(script_of(spectrum),
-              AllOf(HasSubstr("\"{/:Italic x}_{1} (dB re 1 {/:Italic b}_{n})\""),
+              AllOf(HasSubstr("position {/:Italic x}_{1} (dB re 1 {/:Italic b}_{n})\""),
                     HasSubstr("mesh frequency"), HasSubstr("set xrange [0:10]"),
                     Not(HasSubstr("the last"))));
   const std::vector<double> numbers = data();

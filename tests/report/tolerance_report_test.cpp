@@ -8,10 +8,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <set>
 
 #include "model/error.hpp"
 #include "report/detail/scatter.hpp"
 #include "report/detail/scatter_page.hpp"
+#include "study/new_unit.hpp"
 #include "support/folder.hpp"
 #include "support/run.hpp"
 #include "support/xml.hpp"
@@ -19,6 +21,7 @@
 namespace gearsweep::testing {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
@@ -134,6 +137,35 @@ TEST(ToleranceReport, IsAPageWithGearsThatRun) {
   const SweepResult worst = run(read_all(options.worst_folder + "/gear-01.toml"));
   EXPECT_NEAR(map_of(worst, scatter.target)[scatter.worst_gears.front().point],
               scatter.worst_gears.front().value, 2e-3);
+}
+
+// Gears of several meshes are judged by the first, which the page names.
+TEST(ToleranceReport, OfSeveralMeshesNamesThem) {
+  const NewUnit idler = {GearArrangement::idler, {19, 33, 61}, {2.5, 2.5}, {25.0, 25.0}, {}, 59.0};
+  ToleranceOptions options;
+  options.gears = 12;
+  options.command_line = "gearsweep tolerance";
+  const Study study = read_study(new_unit_study(idler), "idler.toml",
+                                 {"axes.0.count=2", "integrate.settle=30", "integrate.record=8"});
+  const Scatter scatter = find_scatter(study, options).value();
+  const std::string html = scatter_page(scatter, options).text();
+  EXPECT_EQ(malformed(html), "");
+  EXPECT_THAT(html, AllOf(HasSubstr("have a dynamic load factor of the first mesh of at most"),
+                          HasSubstr("largest force of the second mesh"),
+                          HasSubstr("second: transmission error <span"),
+                          HasSubstr("first: stiffness factor <span"),
+                          HasSubstr("lose contact at some speed")));
+  // Teeth part where they do in any mesh, at any of the speeds.
+  std::set<std::size_t> parting;
+  for (const char* contact : {"first_contact_class", "second_contact_class"}) {
+    for (const std::vector<double>& row : draws_of_points(scatter.result, contact)) {
+      for (std::size_t draw = 0; draw < row.size(); ++draw) {
+        if (row[draw] == 1.0 || row[draw] == 2.0) parting.insert(draw);
+      }
+    }
+  }
+  EXPECT_DOUBLE_EQ(scatter.parting_anywhere, static_cast<double>(parting.size()) / 12.0);
+  EXPECT_GT(parting.size(), 0U);
 }
 
 // Numbers for programs are those of the draws, whose closed form is known, each with its unit.

@@ -1,13 +1,16 @@
 // Tolerances for a gear that names none, and what one of its draws is.
 #include "study/usual_tolerances.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "model/error.hpp"
+#include "study/new_unit.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -53,6 +56,32 @@ TEST(UsualTolerances, LeaveOutWhatAnAxisHas) {
   EXPECT_THAT(names_of(tolerances), ::testing::Not(::testing::Contains("torque_N_m")));
 }
 
+// Each mesh has its own, and the load is that of the first.
+TEST(UsualTolerances, AreThoseOfEachDrawing) {
+  const NewUnit row = {GearArrangement::idler, {19, 33, 61}, {2.5, 2.5}, {25.0, 25.0}, {}, 59.0};
+  const Study study = study_of(new_unit_study(row));
+  const std::vector<UsualTolerance> tolerances = usual_tolerances(study, 7);
+  EXPECT_THAT(
+      names_of(tolerances),
+      ElementsAre("torque_N_m_first", "transmission_error_um_first", "half_backlash_mm_first",
+                  "mesh_damping_ratio_first", "stiffness_factor_first",
+                  "transmission_error_um_second", "half_backlash_mm_second",
+                  "mesh_damping_ratio_second", "stiffness_factor_second"));
+  std::vector<std::string> overrides = {"uncertain.samples=3"};
+  for (const UsualTolerance& one : tolerances) {
+    overrides.push_back(fmt::format("uncertain.{}={}", one.name, one.distribution));
+  }
+  const Study scattered = read_study(study.toml, "test.toml", overrides);
+  // A draw is a study with the numbers of that draw.
+  const Study drawn = read_study(study.toml, "test.toml", overrides_of_draw(scattered, 1));
+  const auto torque =
+      std::ranges::find(scattered.uncertain.parameters, "torque_N_m_first",
+                        [](const UncertainParameter& parameter) { return parameter.draws.name; });
+  ASSERT_NE(torque, scattered.uncertain.parameters.end());
+  const auto datum = std::ranges::find(drawn.gear_data, "torque_N_m", &GearDatum::key);
+  EXPECT_NEAR(std::stod(datum->value), torque->draws.values[1], 1e-3);  // told to six digits
+}
+
 TEST(UsualTolerances, RefuseWhatTheStandardDoesNotHave) {
   EXPECT_THAT([] { usual_tolerances(study_of(kGear + kToleranceSpeeds), 12); },
               ThrowsMessage<InputError>(HasSubstr("from 1 to 11")));
@@ -62,7 +91,7 @@ TEST(UsualTolerances, RefuseWhatTheStandardDoesNotHave) {
                                   "name = 'omega'\nfrom = 0.5\nto = 1\ncount = 3\n"),
                          7);
       },
-      ThrowsMessage<InputError>(HasSubstr("[uncertain]")));
+      ThrowsMessage<InputError>(HasSubstr("[uncertain]\n  F1 = {distribution")));
 }
 
 TEST(UsualTolerances, CanBeMadeNarrower) {

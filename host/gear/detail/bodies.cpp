@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "gear/steel.hpp"
+
 namespace gearsweep {
 namespace {
 

@@ -9,7 +9,6 @@
 
 namespace gearsweep {
 
-inline constexpr double kSteel = 7.85e-6;  // kg/mm^3
 inline constexpr std::array kWhose = {"pinion", "gear"};
 
 // [pinion, gear]

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "gear/detail/bodies.hpp"
+#include "gear/steel.hpp"
 
 namespace gearsweep {
 namespace {

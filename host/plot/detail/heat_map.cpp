@@ -78,7 +78,7 @@ std::string bar_label(const Page& page, const Picture& picture) {
   const ResultMap& map = picture.map;
   if (page.style().label) return literal(*page.style().label);
   if (!picture.bar_label.empty()) return picture.bar_label;
-  return quantity_label(map.name, map.unit);
+  return quantity_label(map.name, map.unit, page.style().words);
 }
 
 // A pointed end of a bar where there are values beyond it.

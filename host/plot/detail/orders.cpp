@@ -271,9 +271,9 @@ PlotScript plot_orders(const PlotRequest& request) {
   map.name = stored.channel.name;
   map.unit = "1";
   map.meaning = stored.channel.meaning;
-  picture.bar_label =
-      fmt::format("amplitude of {} (dB re 1{})", quantity_label(stored.channel.name, "1"),
-                  unit == "1" ? "" : " " + typeset(unit));
+  picture.bar_label = fmt::format("amplitude of {} (dB re 1{})",
+                                  quantity_label(stored.channel.name, "1", request.style.words),
+                                  unit == "1" ? "" : " " + typeset(unit));
   picture.title = stored.title;
   picture.settings = stored.settings;
   add_lines(stored, upright, rays_of(request, stored.meshes), &picture);

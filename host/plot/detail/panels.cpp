@@ -79,8 +79,9 @@ struct Panel {
   Panel(const Page& page, const std::vector<Picture>& pictures, bool is_first)
       : layers(pictures), classes(classes_of(pictures)) {
     const ChannelInfo shown = shown_by(layers.front());
-    label = is_first && page.style().ylabel ? literal(*page.style().ylabel)
-                                            : quantity_label(shown.name, shown.unit);
+    label = is_first && page.style().ylabel
+                ? literal(*page.style().ylabel)
+                : quantity_label(shown.name, shown.unit, page.style().words);
     if (!classes) y.range = value_range(page, layers, is_first);
   }
   // Once it stands where it stays.

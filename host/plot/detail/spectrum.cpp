@@ -72,11 +72,13 @@ TracePanel spectrum_panel(const Page& page, const TracePicture& picture, PlotScr
   const double last = picture.orders / unit_of_orders(picture.layers.front().trace);
   panel.x = {axis_text(page.style().xlabel, label),
              shown_range({0.0, last}, page.style().xrange, "--xrange")};
-  panel.y = {axis_text(page.style().ylabel,
-                       fmt::format("{} (dB re 1{})", quantity_label(picture.channel.name, ""),
-                                   typeset(unit))),
-             shown_range({decibels(max) + kAbove - kShown, decibels(max) + kAbove},
-                         page.style().yrange, "--yrange")};
+  panel.y = {
+      axis_text(page.style().ylabel,
+                fmt::format("{} (dB re 1{})",
+                            channel_label({picture.channel.name, "1", picture.channel.meaning}),
+                            typeset(unit))),
+      shown_range({decibels(max) + kAbove - kShown, decibels(max) + kAbove}, page.style().yrange,
+                  "--yrange")};
   panel.lines = grid_lines();
   add_other_orders(picture, &panel, script);
   return panel;

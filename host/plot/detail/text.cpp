@@ -150,6 +150,21 @@ std::string name_markup(const std::string& name) {
   return fmt::format("{} {}", name_markup(name.substr(0, colon)), literal(name.substr(colon + 1)));
 }
 
+// "torsional mesh displacement" of "torsional mesh displacement R_p theta_p - e(t)": up to a
+// formula or what explains it further. "velocity" of "velocity of x1", whose letter says the rest.
+std::string first_words(const std::string& meaning) {
+  const std::string clause = meaning.substr(0, meaning.find_first_of(":,;("));
+  if (clause.starts_with("velocity of ")) return "velocity";
+  std::string words;
+  for (const std::string& word : split_words(clause)) {
+    if (word.find('_') != std::string::npos) break;
+    const bool is_article = word == "a" || word == "an" || word == "the";
+    if (words.empty() && is_article) continue;
+    words += (words.empty() ? "" : " ") + word;
+  }
+  return words;
+}
+
 }  // namespace
 
 std::string quote(std::string_view text) {
@@ -285,6 +300,24 @@ std::pair<std::string, std::string> words_and_unit(const std::string& key) {
 
 std::string quantity_label(const std::string& name, const std::string& unit) {
   return name_markup(name) + unit_markup(unit);
+}
+
+std::string quantity_label(const std::string& name, const std::string& unit,
+                           const std::optional<std::string>& words) {
+  return words ? literal(*words) + unit_markup(unit) : quantity_label(name, unit);
+}
+
+std::string channel_label(const ChannelInfo& channel) {
+  constexpr std::size_t kLongest = 35;
+  const std::string symbol = symbol_of(channel.name);
+  const bool is_raw = symbol.empty() && name_markup(channel.name) == words_of(channel.name) &&
+                      channel.name.find_first_of("_0123456789") != std::string::npos;
+  const std::string words = first_words(channel.meaning);
+  const bool says_nothing = words.empty() || words == channel.name || words.size() > kLongest;
+  if (says_nothing || (symbol.empty() && !is_raw)) {
+    return quantity_label(channel.name, channel.unit);
+  }
+  return typeset(words) + (symbol.empty() ? "" : " " + symbol) + unit_markup(channel.unit);
 }
 
 std::string settings_label(const std::string& text) {

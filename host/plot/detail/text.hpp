@@ -1,6 +1,7 @@
 // Text for gnuplot: literal strings, labels and units as in print.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,15 @@ std::string axis_label(const ResultAxis& axis);
 // Markup of a quantity, a state or a signal by its name, as in print: "largest meshing force (k0
 // b_n)" of "dmf_max".
 std::string quantity_label(const std::string& name, const std::string& unit);
+
+// The same with words of somebody's own, where there are any.
+std::string quantity_label(const std::string& name, const std::string& unit,
+                           const std::optional<std::string>& words);
+
+// Markup of what a state or a signal of a trace is, in words where its file has some, as a symbol
+// and with its unit: "deflection of the first mesh x1 (µm)"; "velocity v1 (mm/s)" of "velocity of
+// x1".
+std::string channel_label(const ChannelInfo& channel);
 
 // Markup of "mu=0.1, b=1" with its symbols.
 std::string settings_label(const std::string& text);

@@ -107,7 +107,7 @@ double last_time(const TracePicture& picture) {
 }
 
 PanelAxis across_axis(const Page& page, const TracePicture& picture, const ValueRange& range) {
-  return {axis_text(page.style().xlabel, quantity_label(picture.across.name, picture.across.unit)),
+  return {axis_text(page.style().xlabel, channel_label(picture.across)),
           shown_range(range, page.style().xrange, "--xrange")};
 }
 
@@ -208,9 +208,8 @@ PanelAxis time_axis(const Page& page, const TracePicture& picture) {
 }
 
 PanelAxis channel_axis(const Page& page, const TracePicture& picture, const ValueRange& range) {
-  return {
-      axis_text(page.style().ylabel, quantity_label(picture.channel.name, picture.channel.unit)),
-      shown_range(range, page.style().yrange, "--yrange")};
+  return {axis_text(page.style().ylabel, channel_label(picture.channel)),
+          shown_range(range, page.style().yrange, "--yrange")};
 }
 
 std::string add_histories(const TracePicture& picture, PlotScript* script) {

@@ -13,6 +13,7 @@
 #include "report/detail/html.hpp"
 #include "report/detail/names.hpp"
 #include "report/detail/sections.hpp"
+#include "report/detail/words.hpp"
 #include "result/si_units.hpp"
 #include "study/initial_policy.hpp"
 
@@ -51,6 +52,7 @@ AssumedValue assumed_datum(const GearDatum& datum) {
 // Whose a parameter or option is, by where its value comes from.
 std::string origin_html(const std::string& origin) {
   if (origin == kDefault) return kDefault;
+  if (origin.starts_with(kEstimatedOrigin)) return kEstimated;
   if (origin.starts_with("preset ")) return fmt::format("{}: {}", kDefault, html_text(origin));
   return kYours;
 }
@@ -145,9 +147,10 @@ std::vector<std::string> sentences(const ReportFindings& findings) {
   const std::vector<ChannelInfo> forces = model.signals_of(Role::mesh_force);
   if (forces.size() > 1) {
     notes.push_back(fmt::format(
-        "The model has {} forces between teeth. Speeds are ranked by {}, and the order map, run-up "
-        "and run-down are its own; of the others there are the curves and the table.",
-        forces.size(), html_text(forces.front().name)));
+        "The model has {} forces between teeth. Speeds are ranked by the {}, and run-up and "
+        "run-down are of this force; the order map is that of the {}.",
+        forces.size(), named_html(findings, findings.ranking),
+        html_text(force_words(findings.orders.channel))));
   }
   std::vector<std::string> axes;
   for (const Axis& axis : study.axes) axes.push_back(axis_html(axis, findings));

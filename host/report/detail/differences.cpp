@@ -58,7 +58,7 @@ std::vector<Cells> differing_results(const Sides& sides) {
     const std::optional<std::size_t> first = largest_of(before.values);
     const std::optional<std::size_t> second = largest_of(after.values);
     if (!before.flags.empty() || !first || !second) continue;
-    rows.push_back({quantity_cell(before), largest_html(sides[0], before, *first),
+    rows.push_back({quantity_cell(sides[0], before), largest_html(sides[0], before, *first),
                     largest_html(sides[1], after, *second),
                     change_html(before, before.values[*first], after.values[*second])});
   }
@@ -82,7 +82,8 @@ std::string at_one_speed_html(const Sides& sides) {
   const std::optional<std::size_t> most = largest_of(rise);
   if (!most) return "";
   return fmt::format("At one and the same speed {} rises most at {}: from {} to {}.",
-                     quantity_cell(before), speed_html(sides[0], sides[0].orders.forcing[*most]),
+                     quantity_cell(sides[0], before),
+                     speed_html(sides[0], sides[0].orders.forcing[*most]),
                      value_cell(before, *most), value_cell(after, *most));
 }
 

@@ -10,6 +10,7 @@
 #include "plot/plot.hpp"
 #include "plot/value_range.hpp"
 #include "report/detail/names.hpp"
+#include "report/detail/words.hpp"
 #include "result/order_dataset.hpp"
 #include "result/si_units.hpp"
 
@@ -20,6 +21,13 @@ struct SharedLimits {
   Limits x, y, colours;
 };
 
+std::optional<std::string> words_at_axis(const ReportFindings& findings,
+                                         const FigureRequest& request) {
+  if (request.words) return request.words;
+  if (request.quantity.empty()) return signal_words(findings.orders.channel);
+  return model_words(*findings.study.model, request.quantity, findings.count_of(request.quantity));
+}
+
 PlotRequest plot_request(const ReportFindings& findings, const FigureRequest& request,
                          const SharedLimits& limits) {
   PlotRequest plot;
@@ -29,6 +37,7 @@ PlotRequest plot_request(const ReportFindings& findings, const FigureRequest& re
   plot.style.has_units = true;
   plot.style.is_si = findings.is_si();
   plot.style.title = "";
+  plot.style.words = words_at_axis(findings, request);
   plot.style.legend = request.legend;
   plot.style.size = {HtmlPage::kFigureWidth, request.height, false};
   plot.style.xrange = limits.x;

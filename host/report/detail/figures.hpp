@@ -1,6 +1,7 @@
 // The pictures of a report. Those of two studies have the same axes, so that they can be compared.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,10 @@ struct FigureRequest {
   std::string name;                // of the picture's file
   std::vector<std::string> files;  // of the findings
   std::string quantity;
-  bool is_map = false;                   // over both axes
-  std::vector<std::string> legend = {};  // what several files are called
-  double height = 51.0;                  // mm, the same for all that stand beside each other
+  bool is_map = false;                    // over both axes
+  std::vector<std::string> legend = {};   // what several files are called
+  double height = 51.0;                   // mm, the same for all that stand beside each other
+  std::optional<std::string> words = {};  // at the axis, if not those of the quantity
 };
 
 // A picture with a key below it is as high as this.

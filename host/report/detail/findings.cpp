@@ -12,6 +12,7 @@
 #include "model/names.hpp"
 #include "model/version.hpp"
 #include "plan/plan.hpp"
+#include "report/detail/words.hpp"
 #include "result/order_dataset.hpp"
 #include "result/si_units.hpp"
 #include "sweep/sweep.hpp"
@@ -108,7 +109,7 @@ void choose_mesh(const SweepResult& line, ReportFindings* findings) {
     const double own = most_of(line, factor);
     if (!(own > most)) continue;
     most = own;
-    findings->mesh = mesh_words(force);
+    findings->mesh = force_words(force);
     findings->load_factor = factor;
     findings->force = force.name + "_max";
     findings->vibration = findings->force;
@@ -233,11 +234,6 @@ std::string load_factor_of(const Model& model, const ChannelInfo& force) {
     if (quantity.divided_by && quantity.name.starts_with(force.name + "_")) return quantity.name;
   }
   return "";
-}
-
-std::string mesh_words(const ChannelInfo& force) {
-  if (force.meaning.empty()) return force.name;
-  return force.meaning.substr(0, force.meaning.find(','));
 }
 
 Study changed(const Study& study, const std::vector<std::string>& overrides,

@@ -1,6 +1,7 @@
 // What a report is made of.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,9 +18,6 @@ namespace gearsweep {
 // The study with overrides and zooms (read_study()).
 Study changed(const Study& study, const std::vector<std::string>& overrides,
               const std::vector<std::string>& zooms = {});
-
-// What a model says of a force between teeth, up to the first comma: "force of the second mesh".
-std::string mesh_words(const ChannelInfo& force);
 
 // The load factor of one of several forces between teeth; empty where it names no load.
 std::string load_factor_of(const Model& model, const ChannelInfo& force);
@@ -43,7 +41,11 @@ struct ReportFindings {
   std::string iso_load_factor;     // the one that K_v is of: that of the model's load
   std::vector<std::string> apart;  // shares of time without contact, of each contact
   std::string vibration;  // standard deviation of the force; of a model without, the largest value
-  double jump = 1.0;      // static_jump() at the first of the speeds
+  // Of how many equal parts a quantity is shown, that of part 1; none: of one. And by how much of
+  // their values these differ.
+  std::map<std::string, int> alike;
+  double unlike = 0.0;
+  double jump = 1.0;  // static_jump() at the first of the speeds
   // What ranks the speeds: the largest force, where it is clearly more than that jump, which it is
   // at any speed; otherwise the vibration.
   std::string ranking;
@@ -58,6 +60,10 @@ struct ReportFindings {
   std::string no_directions;    // why there are none
   std::unique_ptr<TemporaryFolder> folder = std::make_unique<TemporaryFolder>();
 
+  int count_of(const std::string& quantity) const {
+    const auto found = alike.find(quantity);
+    return found == alike.end() ? 1 : found->second;
+  }
   bool is_si() const { return study.scales.known(); }
   std::string file(const std::string& stored) const { return (folder->path() / stored).string(); }
   // A map over both axes, in SI units where these are known.

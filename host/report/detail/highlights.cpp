@@ -10,6 +10,7 @@
 #include "report/detail/html.hpp"
 #include "report/detail/names.hpp"
 #include "report/detail/speeds.hpp"
+#include "report/detail/words.hpp"
 #include "result/peaks.hpp"
 
 namespace gearsweep {
@@ -56,7 +57,7 @@ bool is_on_back_flank(const ReportFindings& findings, const std::string& file, s
          contact.values[point] == static_cast<double>(both - contact.flags.begin());
 }
 
-// Names the contact whose teeth are apart longest, where there are several: "second".
+// Names the mesh whose teeth are apart longest, where there are several: "the second mesh".
 std::string contact_apart_html(const ReportFindings& findings, const std::string& file,
                                std::size_t point) {
   const auto share = [&](const std::string& quantity) {
@@ -64,7 +65,9 @@ std::string contact_apart_html(const ReportFindings& findings, const std::string
     return std::isnan(value) ? 0.0 : value;
   };
   const auto longest = std::ranges::max_element(findings.apart, {}, share);
-  return html_text(longest->substr(0, longest->find("_contact_gap")));
+  return html_text(contact_words(*findings.study.model,
+                                 longest->substr(0, longest->find("_contact_gap")),
+                                 findings.count_of(*longest)));
 }
 
 // ", and the teeth lose contact for 23 % of the time". HTML; empty without a contact.
@@ -166,7 +169,8 @@ std::string other_meshes_html(const ReportFindings& findings) {
     if (findings.mesh.empty() || factor == findings.load_factor || !is_known) continue;
     const ResultMap map = findings.over_speed("line.nc", factor);
     const std::optional<std::size_t> point = largest_of(map.values);
-    if (point) others.push_back({mesh_words(force), map.values[*point], *point});
+    if (point)
+      others.push_back({force_words(force, findings.count_of(factor)), map.values[*point], *point});
   }
   std::ranges::sort(others, std::ranges::greater(), &OtherMesh::factor);
   if (others.size() >= kMany) others.resize(1);
@@ -188,13 +192,17 @@ std::string missing_html(const ReportFindings& findings) {
                      force.values.size());
 }
 
-// How many numbers of the drawing nobody gave.
+// How many numbers of the drawing nobody gave, and how many parameters beside it.
 std::string estimates_html(const ReportFindings& findings) {
-  const auto estimates =
+  const auto drawn =
       std::ranges::count(findings.given.gear_data, DatumOrigin::estimated, &GearDatum::origin);
-  if (estimates == 0) return "";
-  return fmt::format("{} of the drawing's numbers {}: the last table says which.", estimates,
-                     estimates == 1 ? "is an estimate" : "are estimates");
+  const auto beside = std::ranges::count_if(
+      findings.given.parameter_origins,
+      [](const std::string& origin) { return origin.starts_with(kEstimatedOrigin); });
+  if (drawn + beside == 0) return "";
+  return fmt::format("{} of the {} {}: the last table says which.", drawn + beside,
+                     beside == 0 ? "drawing's numbers" : "given numbers",
+                     drawn + beside == 1 ? "is an estimate" : "are estimates");
 }
 
 }  // namespace

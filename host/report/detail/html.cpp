@@ -39,7 +39,9 @@ figcaption, .small { font-size: 0.85em; color: #444; overflow-wrap: anywhere; }
 @media screen and (max-width: 760px) {
   .figures { display: block; } figure { width: 100%; margin: 0.8em 0; } .columns { columns: 1; } }
 h1, h2, h3, h2 + p, h3 + p { break-after: avoid; }
-figure, .figures, .columns, .answer, tr, li { break-inside: avoid; }
+figure, .figures, .answer, table, tr, li { break-inside: avoid; }
+.columns table { break-inside: auto; }
+table + .small { break-before: avoid; }
 p { orphans: 3; widows: 3; }
 @media print {
   body { font-size: 8pt; line-height: 1.25; max-width: none; margin: 0; padding: 0; }

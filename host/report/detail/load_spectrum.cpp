@@ -17,6 +17,7 @@
 #include "report/detail/html.hpp"
 #include "report/detail/names.hpp"
 #include "report/detail/page_file.hpp"
+#include "report/detail/words.hpp"
 #include "result/load_spectrum.hpp"
 #include "result/output_file.hpp"
 #include "result/si_units.hpp"
@@ -59,7 +60,7 @@ std::string force_words(const Study& study, const SpectrumForce& force) {
   const auto own = std::ranges::find_if(
       all, [&](const ChannelInfo& one) { return force.factor.starts_with(one.name + "_"); });
   return all.size() < 2 || own == all.end() ? "force between the teeth"
-                                            : html_text(mesh_words(*own));
+                                            : html_text(force_words(*own));
 }
 
 std::string spectrum_html(const Study& study, const SpectrumAnswers& answers) {
@@ -81,9 +82,9 @@ std::vector<std::string> equivalents_html(const Study& study, const SpectrumAnsw
   for (const SpectrumForce& force : answers.forces) {
     const auto worst = std::ranges::max_element(force.damage) - force.damage.begin();
     remarks.push_back(fmt::format(
-        "{}A load of {} does the damage of all loads, by Miner's rule with the slope {:g} (ISO "
+        "{} of {} does the damage of all loads, by Miner's rule with the slope {:g} (ISO "
         "6336-6); of the largest forces under them it is {}.{}",
-        answers.forces.size() == 1 ? "" : html_text(force.factor) + ": ",
+        answers.forces.size() == 1 ? "A load" : "Of the " + force_words(study, force) + ": a load",
         load_html(study, force, force.equivalent_load), study.spectrum->slope,
         load_html(study, force, force.equivalent_force),
         std::isnan(force.equivalent_force)
@@ -122,7 +123,7 @@ HtmlTable loads_of(const Study& study, const ResultFile& file) {
     ResultMap map = file.read(quantity);
     if (quantity == "status" || map.part_count() * map.samples > 1) continue;
     if (study.scales.known()) convert_to_si(study.scales, &map);
-    table.head.push_back(quantity_cell(map));
+    table.head.push_back(quantity_cell(*study.model, map));
     std::vector<std::string>& cells = columns.emplace_back();
     for (std::size_t point = 0; point < map.values.size(); ++point) {
       cells.push_back(value_cell(map, point));

@@ -4,16 +4,44 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "plot/labels.hpp"
 #include "report/detail/html.hpp"
+#include "report/detail/words.hpp"
 
 namespace gearsweep {
 
-std::string quantity_cell(const ResultMap& map) {
+namespace {
+
+std::string unit_html(const ResultMap& map) {
   const std::string unit = html_unit(map.unit);
-  return html_named(quantity_html(map.name) + (unit.empty() ? "" : fmt::format(" ({})", unit)),
-                    map.name);
+  return unit.empty() ? "" : fmt::format(" ({})", unit);
+}
+
+// "dmf_s1_max to dmf_s3_max"
+std::string raw_name(const ReportFindings& findings, const std::string& quantity) {
+  const int count = findings.count_of(quantity);
+  std::optional<NumberedQuantity> last = numbered(quantity);
+  if (count < 2 || !last) return quantity;
+  last->number = count;
+  return fmt::format("{} to {}{}", quantity, last->stem(), last->after);
+}
+
+}  // namespace
+
+std::string quantity_cell(const Model& model, const ResultMap& map) {
+  return html_named(words_html(model, map.name) + unit_html(map), map.name);
+}
+
+std::string quantity_cell(const ReportFindings& findings, const ResultMap& map) {
+  return html_named(
+      words_html(*findings.study.model, map.name, findings.count_of(map.name)) + unit_html(map),
+      raw_name(findings, map.name));
+}
+
+std::string named_html(const ReportFindings& findings, const std::string& quantity) {
+  return html_named(words_html(*findings.study.model, quantity, findings.count_of(quantity)),
+                    raw_name(findings, quantity));
 }
 
 bool is_share(const ResultMap& map) {

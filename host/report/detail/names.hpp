@@ -7,8 +7,12 @@
 
 namespace gearsweep {
 
-// "largest meshing force (N) dmf_max". HTML.
-std::string quantity_cell(const ResultMap& map);
+// "largest meshing force (N) dmf_max". Of equal parts "dmf_s1_max to dmf_s3_max" is the name. HTML.
+std::string quantity_cell(const Model& model, const ResultMap& map);
+std::string quantity_cell(const ReportFindings& findings, const ResultMap& map);
+
+// The same without the unit. HTML.
+std::string named_html(const ReportFindings& findings, const std::string& quantity);
 
 // The value of a map as a table has it: classes by their names, shares as per cent, "–" for none.
 // HTML.

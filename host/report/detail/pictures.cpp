@@ -6,9 +6,11 @@
 
 #include "plot/labels.hpp"
 #include "report/detail/figures.hpp"
+#include "report/detail/highlights.hpp"
 #include "report/detail/names.hpp"
 #include "report/detail/sections.hpp"
 #include "report/detail/speeds.hpp"
+#include "report/detail/words.hpp"
 
 namespace gearsweep {
 namespace {
@@ -34,11 +36,18 @@ bool is_never_apart(const Sides& sides, const std::string& quantity) {
 }
 
 // "Largest meshing force".
-std::string caption_for(const std::string& quantity) {
-  std::string words = quantity_html(quantity);
+std::string caption_for(const ReportFindings& findings, const std::string& quantity) {
+  std::string words = words_html(*findings.study.model, quantity, findings.count_of(quantity));
   if (!words.empty())
     words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
   return words + " over the speed";
+}
+
+// The signal whose order map is shown.
+std::string order_signal_html(const ReportFindings& findings) {
+  const ChannelInfo& signal = findings.orders.channel;
+  const std::optional<std::string> words = signal_words(signal);
+  return words ? html_text(*words) : quantity_html(signal.name);
 }
 
 void append(std::vector<HtmlFigure> more, std::vector<HtmlFigure>* figures) {
@@ -82,7 +91,8 @@ std::vector<HtmlFigure> curves(const Sides& sides) {
                         "6336-1:2006 by method B, over the speed"),
              &figures);
     } else {
-      append(figures_of(sides, {quantity, {"line.nc"}, quantity}, caption_for(quantity)), &figures);
+      append(figures_of(sides, {quantity, {"line.nc"}, quantity}, caption_for(first, quantity)),
+             &figures);
     }
   }
   return figures;
@@ -97,10 +107,10 @@ std::vector<HtmlFigure> maps(const Sides& sides) {
       sides.front().load_factor.empty() ? sides.front().force : sides.front().load_factor;
   for (const std::string& quantity : {force, std::string("contact_class")}) {
     if (!all_have(sides, quantity)) continue;
-    append(
-        figures_of(sides, {"map-" + quantity, {"map.nc"}, quantity, true, {}, kFigureHeightWithKey},
-                   caption_for(quantity) + " and " + html_text(sides.front().at->first)),
-        &figures);
+    append(figures_of(
+               sides, {"map-" + quantity, {"map.nc"}, quantity, true, {}, kFigureHeightWithKey},
+               caption_for(sides.front(), quantity) + " and " + html_text(sides.front().at->first)),
+           &figures);
   }
   return figures;
 }
@@ -114,6 +124,24 @@ struct Jump {
   double size() const { return std::abs(map->values[to] - map->values[from]); }
 };
 
+// Where no jump is told though the curves part: at too few speeds, or by chance.
+std::string no_jump_html(const ReportFindings& findings, const ResultMap& up,
+                         const ResultMap& down) {
+  constexpr double kVisible = 0.02;  // of the largest
+  const double most = std::max(up.values[largest_of(up.values).value_or(0)],
+                               down.values[largest_of(down.values).value_or(0)]);
+  std::vector<std::string> speeds;
+  for (std::size_t point = 0; point < up.values.size(); ++point) {
+    if (!(std::abs(up.values[point] - down.values[point]) > kVisible * most)) continue;
+    speeds.push_back(speed_html(findings, findings.orders.forcing[point]));
+  }
+  if (speeds.empty()) return "Run-up and run-down are the same: no jump was found.";
+  return fmt::format(
+      "Run-up and run-down part at {} of {} speeds, from {} to {}. No jump between neighbouring "
+      "speeds is clear enough to be told: take more speeds there. Chaotic motions part by chance.",
+      speeds.size(), up.values.size(), speeds.front(), speeds.back());
+}
+
 void add_jumps(const ReportFindings& findings, HtmlPage* page) {
   const ResultMap up = findings.over_speed("up.nc", findings.force);
   const ResultMap down = findings.over_speed("down.nc", findings.force);
@@ -123,14 +151,14 @@ void add_jumps(const ReportFindings& findings, HtmlPage* page) {
     if (part.jumps_down) jumps.push_back({"run-down", &down, part.first, part.first - 1});
   }
   if (jumps.empty()) {
-    page->paragraph("Between run-up and run-down no jump was found.");
+    page->paragraph(no_jump_html(findings, up, down));
     return;
   }
   std::sort(jumps.begin(), jumps.end(),
             [](const Jump& a, const Jump& b) { return a.size() > b.size(); });
   constexpr std::size_t kMost = 5;
   HtmlTable table;
-  table.head = {"jump in", "between", quantity_cell(up) + " before", "after"};
+  table.head = {"jump in", "between", quantity_cell(findings, up) + " before", "after"};
   for (const Jump& jump : jumps) {
     if (table.rows.size() == kMost) break;
     table.rows.push_back(
@@ -153,11 +181,11 @@ void add_pictures(const Sides& sides, HtmlPage* page) {
   page->heading("Over the speed: force, contact, orders, run-up and run-down");
   std::vector<HtmlFigure> figures = curves(sides);
   append(maps(sides), &figures);
-  append(order_figures(sides, fmt::format("Order map: amplitudes of the {} at each speed. White: "
-                                          "natural frequencies; {}",
-                                          quantity_html(sides.front().orders.channel.name),
-                                          rays_html(sides.front()))),
-         &figures);
+  append(
+      order_figures(sides, fmt::format("Order map: amplitudes of the {} at each speed. White: "
+                                       "natural frequencies; {}",
+                                       order_signal_html(sides.front()), rays_html(sides.front()))),
+      &figures);
   const bool have_directions = std::ranges::all_of(
       sides, [](const ReportFindings& findings) { return findings.has_directions; });
   if (have_directions) {

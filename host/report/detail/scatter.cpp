@@ -16,7 +16,6 @@
 namespace gearsweep {
 namespace {
 
-constexpr const char* kContact = "contact_class";
 constexpr double kQuantile95 = 1.959964;  // of the normal distribution
 constexpr std::size_t kMostGears = 100'000;
 // So many draws tell well enough what a tolerance half as wide brings: the draws are the same.
@@ -34,22 +33,45 @@ void judge_speeds(const ToleranceOptions& options, Scatter* scatter) {
   scatter->worst = static_cast<std::size_t>(largest - scatter->percentiles.begin());
 }
 
+// Whether teeth part in each draw at each point, of any mesh; not a number where that is not known.
+std::vector<std::vector<double>> partings_of(const Scatter& scatter) {
+  std::vector<std::vector<double>> rows;
+  for (const Quantity& contact : scatter.study.selection.quantities) {
+    if (contact.of_draws || !is_contact_class(contact.name)) continue;
+    std::vector<std::vector<double>> own = draws_of_points(scatter.result, contact.name);
+    for (std::vector<double>& row : own) {
+      for (double& value : row) {
+        if (std::isnan(value)) continue;
+        const std::string& name = contact.flags.at(static_cast<std::size_t>(value));
+        value = name == "single_sided" || name == "double_sided" ? 1.0 : 0.0;
+      }
+    }
+    if (rows.empty()) {
+      rows = std::move(own);
+      continue;
+    }
+    for (std::size_t point = 0; point < rows.size(); ++point) {
+      for (std::size_t draw = 0; draw < rows[point].size(); ++draw) {
+        double& all = rows[point][draw];
+        const double value = own[point][draw];
+        all = std::isnan(all) || std::isnan(value) ? all + value : std::max(all, value);
+      }
+    }
+  }
+  return rows;
+}
+
 void judge_contact(Scatter* scatter) {
-  const std::vector<Quantity>& quantities = scatter->study.selection.quantities;
-  const auto contact = std::ranges::find(quantities, kContact, &Quantity::name);
-  if (contact == quantities.end()) return;
-  const auto loses_contact = [&](double value) {
-    const std::string& name = contact->flags.at(static_cast<std::size_t>(value));
-    return name == "single_sided" || name == "double_sided";
-  };
+  const std::vector<std::vector<double>> rows = partings_of(*scatter);
+  if (rows.empty()) return;
   std::set<std::size_t> known, parting;  // draws
-  for (const std::vector<double>& row : draws_of_points(scatter->result, kContact)) {
+  for (const std::vector<double>& row : rows) {
     double all = 0.0, lost = 0.0;
     for (std::size_t draw = 0; draw < row.size(); ++draw) {
       if (std::isnan(row[draw])) continue;
       known.insert(draw);
       ++all;
-      if (!loses_contact(row[draw])) continue;
+      if (row[draw] == 0.0) continue;
       parting.insert(draw);
       ++lost;
     }

@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "gear/drawing_keys.hpp"
 #include "model/version.hpp"
 #include "plot/labels.hpp"
 #include "plot/plot.hpp"
 #include "report/detail/names.hpp"
+#include "report/detail/words.hpp"
 
 namespace gearsweep {
 namespace {
@@ -29,7 +31,9 @@ std::string with_error(double value, double error) {
 }
 
 // What gears are judged by, in words: "load factor".
-std::string target_html(const ResultMap& target) { return quantity_html(target.name); }
+std::string target_html(const Scatter& scatter) {
+  return words_html(*scatter.study.model, scatter.target);
+}
 
 std::string scatter_answer(const Scatter& scatter, const ToleranceOptions& options,
                            const ResultMap& target) {
@@ -44,18 +48,20 @@ std::string scatter_answer(const Scatter& scatter, const ToleranceOptions& optio
       "Of {} gears as built, {}the worst speed is {}, where {:g} % have a {} of at most {}{} "
       "(nominal: {})",
       scatter.gears(), contact, speed_cell(target, scatter.worst), options.percentile,
-      target_html(target), with_error(worst.value * scale, worst.error * scale),
+      target_html(scatter), with_error(worst.value * scale, worst.error * scale),
       unit.empty() ? "" : " " + unit, html_number(target.values[scatter.worst]));
 }
 
+// words: what the quantity is called at the axis, if not by its name.
 HtmlFigure band_figure(const Scatter& scatter, const std::string& quantity,
-                       const std::string& caption) {
+                       const std::optional<std::string>& words, const std::string& caption) {
   PlotRequest plot;
   plot.paths = {scatter.file("bands.nc")};
   plot.quantity = quantity;
   plot.output_path = scatter.file(quantity + ".svg");
   plot.style.has_units = true;
   plot.style.is_si = scatter.study.scales.known();
+  plot.style.words = words;
   plot.style.title = "";
   plot.style.size = {HtmlPage::kFigureWidth, 57.0, false};
   plot_files(plot);
@@ -67,16 +73,20 @@ void add_band_pictures(const Scatter& scatter, const ToleranceOptions& options, 
   std::vector<HtmlFigure> figures;
   for (const Quantity& quantity : scatter.study.selection.quantities) {
     if (quantity.of_draws || !quantity.flags.empty()) continue;
-    figures.push_back(
-        band_figure(scatter, quantity.name,
-                    fmt::format("{}: the band has {:g} % of the gears",
-                                html_named(quantity_html(quantity.name), quantity.name),
-                                2.0 * options.percentile - 100.0)));
+    figures.push_back(band_figure(
+        scatter, quantity.name, model_words(*scatter.study.model, quantity.name),
+        fmt::format("{}: the band has {:g} % of the gears",
+                    html_named(words_html(*scatter.study.model, quantity.name), quantity.name),
+                    2.0 * options.percentile - 100.0)));
   }
   if (!scatter.parting.empty()) {
-    const bool parts = scatter.parting_anywhere > 0.0;
-    if (parts) {
+    // Of several contacts there is no one share.
+    const bool has_one = std::ranges::any_of(
+        scatter.study.selection.quantities,
+        [](const Quantity& quantity) { return quantity.name == "contact_class"; });
+    if (has_one && scatter.parting_anywhere > 0.0) {
       figures.push_back(band_figure(scatter, "contact_class_no_impact_share",
+                                    "share of gears that stay in contact",
                                     "Share of the gears whose teeth stay in contact"));
     }
   }
@@ -110,12 +120,27 @@ void add_speeds(const Scatter& scatter, const ToleranceOptions& options, const R
   page->small(fmt::format(
       "{}. ± is half of the 95 % interval that {} gears leave (ranks of a binomial distribution); "
       "\"about\": these are too few gears to say.",
-      quantity_cell(target), scatter.gears()));
+      quantity_cell(*scatter.study.model, target), scatter.gears()));
+}
+
+// "second: transmission error" of "transmission_error_um_second"; empty of other names. Text.
+std::string words_of_drawing_key(const Model& model, const std::string& name) {
+  for (const std::string& drawing : model.drawings) {
+    const std::string suffix = "_" + drawing;
+    if (!name.ends_with(suffix)) continue;
+    const std::string stem = name.substr(0, name.size() - suffix.size());
+    const bool is_key = std::ranges::any_of(
+        kGearKeys, [&](const GearKey& key) { return stem.ends_with(key.name); });
+    if (is_key) return fmt::format("{}: {}", drawing, words_and_unit(stem).first);
+  }
+  return "";
 }
 
 // In words, with the name that studies have beside them: a key of the drawing says itself what it
 // is.
 std::string tolerance_html(const Scatter& scatter, const std::string& name) {
+  const std::string of_drawing = words_of_drawing_key(*scatter.study.model, name);
+  if (!of_drawing.empty()) return html_named(html_text(of_drawing), name);
   const std::vector<UncertainParameter>& all = scatter.study.uncertain.parameters;
   const auto found =
       std::ranges::find(all, name, [](const UncertainParameter& one) { return one.draws.name; });
@@ -150,13 +175,13 @@ void add_ranking(const Scatter& scatter, const ToleranceOptions& options, const 
   const double scale = scatter.scale_of(scatter.target);
   const double now = scatter.percentiles[scatter.worst].value;
   for (const RankedTolerance& one : scatter.ranking) {
-    table.rows.push_back({tolerance_html(scatter, one.name),
-                          fmt::format("{:.2f} ± {:.2f}", one.first, one.first_error),
-                          fmt::format("{:.2f}", one.total),
-                          one.tightened
-                              ? fmt::format("{} ({:+.1f} %)", html_number(*one.tightened * scale),
-                                            100.0 * (*one.tightened / now - 1.0))
-                              : "–"});
+    table.rows.push_back(
+        {tolerance_html(scatter, one.name),
+         fmt::format("{:.2f}\u00a0±\u00a0{:.2f}", one.first, one.first_error),
+         fmt::format("{:.2f}", one.total),
+         one.tightened ? fmt::format("{} ({:+.1f}\u00a0%)", html_number(*one.tightened * scale),
+                                     100.0 * (*one.tightened / now - 1.0))
+                       : "–"});
   }
   page->table(table);
   page->small(fmt::format(
@@ -164,7 +189,7 @@ void add_ranking(const Scatter& scatter, const ToleranceOptions& options, const 
       "first order, with its standard error) and with all that it does together with others "
       "(total); and the value below which {:g} % of the gears stay when this tolerance alone is "
       "half as wide, now {}{}. Half of a tolerance of ISO 1328-1 is two classes finer.",
-      speed_cell(target, scatter.worst), target_html(target), options.percentile,
+      speed_cell(target, scatter.worst), target_html(scatter), options.percentile,
       html_number(now * scale),
       scatter.tightened_gears < scatter.gears()
           ? fmt::format(" (in proportion to what it is for the first {} gears)",
@@ -186,7 +211,7 @@ void add_worst_gears(const Scatter& scatter, const ResultMap& target, HtmlPage* 
   const ResultAxis& speed = target.axes.front();
   const std::string unit = html_unit(speed.unit);
   table.head = {""};
-  table.rows = {{target_html(target)}, {"at " + (unit == "1" ? html_text(speed.name) : unit)}};
+  table.rows = {{target_html(scatter)}, {"at " + (unit == "1" ? html_text(speed.name) : unit)}};
   for (const UncertainParameter& parameter : scatter.study.uncertain.parameters) {
     table.rows.push_back({tolerance_html(scatter, parameter.draws.name)});
   }

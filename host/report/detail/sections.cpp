@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plot/labels.hpp"
+#include "report/detail/equal_parts.hpp"
 #include "report/detail/names.hpp"
 #include "report/detail/speeds.hpp"
 #include "result/peaks.hpp"
@@ -52,8 +52,8 @@ HtmlTable worst_speeds_of(const ReportFindings& findings) {
   }
   for (const std::string& quantity : findings.quantities) {
     const ResultMap map = findings.over_speed("line.nc", quantity);
-    table.rows.push_back(
-        row_of(quantity_cell(map), [&](std::size_t point) { return value_cell(map, point); }));
+    table.rows.push_back(row_of(quantity_cell(findings, map),
+                                [&](std::size_t point) { return value_cell(map, point); }));
   }
   if (!findings.dynamic_factors.empty()) {
     table.rows.push_back(row_of("K<sub>v</sub>, ISO 6336-1 method B", [&](std::size_t point) {
@@ -63,6 +63,13 @@ HtmlTable worst_speeds_of(const ReportFindings& findings) {
   table.rows.push_back(
       row_of("near", [&](std::size_t point) { return resonance_html(findings, forcing(point)); }));
   return table;
+}
+
+// Two digits: "0.48 %", "100 %".
+std::string damping_html(double damping) {
+  const double percent = 100.0 * damping;
+  constexpr double kLong = 99.5;  // of two digits
+  return percent < kLong ? fmt::format("{:.2g} %", percent) : fmt::format("{:.0f} %", percent);
 }
 
 HtmlTable critical_speeds_of(const ReportFindings& findings) {
@@ -76,7 +83,7 @@ HtmlTable critical_speeds_of(const ReportFindings& findings) {
   }
   for (const ReportMode& mode : distinct_modes(findings)) {
     Row row = {frequency_html(findings, mode.frequency), fmt::format("{}", mode.count),
-               fmt::format("{:.2g} %", 100.0 * mode.damping)};
+               damping_html(mode.damping)};
     for (const ExcitationOrder& order : excitation_orders(findings)) {
       const double forcing = mode.frequency / order.order;
       const bool is_swept = forcing >= *slowest && forcing <= *fastest;
@@ -100,11 +107,12 @@ void add_worst_speeds(const Sides& sides, HtmlPage* page) {
   for (const ReportFindings& findings : sides) {
     add_name(sides, findings, page);
     page->paragraph(fmt::format("Peaks of the {} over the speed, the largest first{}.",
-                                html_named(quantity_html(findings.ranking), findings.ranking),
-                                place_html(findings)));
+                                named_html(findings, findings.ranking), place_html(findings)));
     page->table(worst_speeds_of(findings));
     const std::string jump = jump_html(findings);
     if (!jump.empty()) page->small(jump);
+    const std::string unlike = equal_parts_html(findings);
+    if (!unlike.empty()) page->small(unlike);
   }
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "plot/labels.hpp"
 #include "report/detail/figures.hpp"
 #include "report/detail/names.hpp"
 #include "report/detail/sections.hpp"
@@ -49,12 +48,13 @@ void add_tolerances(const Sides& sides, HtmlPage* page) {
   }
   std::vector<HtmlFigure> figures = figures_of(
       sides, {"tolerances", {"tolerances.nc"}, first.force},
-      fmt::format("{} over {} draws of {}", html_named(quantity_html(first.force), first.force),
+      fmt::format("{} over {} draws of {}", named_html(first, first.force),
                   first.tolerances->uncertain.independent_draws(), fmt::join(names, ", ")));
   const bool have_flanks = std::ranges::all_of(sides, tells_flanks);
   if (have_flanks) {
-    std::ranges::move(figures_of(sides, {"flanks", {"tolerances.nc"}, kBothFlanks},
-                                 "Share of the draws in which both flanks are hit"),
+    FigureRequest flanks = {"flanks", {"tolerances.nc"}, kBothFlanks};
+    if (first.is_si()) flanks.words = "share of gears that hit both flanks";
+    std::ranges::move(figures_of(sides, flanks, "Share of the draws in which both flanks are hit"),
                       std::back_inserter(figures));
   }
   page->figures(figures);

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "gear/drawing_keys.hpp"
+#include "gear/ring_mesh.hpp"
 #include "rexs/stage_choice.hpp"
 
 namespace gearsweep {
@@ -124,34 +125,33 @@ class PlanetarySet {
     const double radius = 0.5 * module / std::cos(helix);  // of one tooth
     const double alpha =
         std::atan(std::tan(own.pressure_angle.value_or(20.0) * kDegree) / std::cos(helix));
-    const double base = radius * *own.teeth * std::cos(alpha);
-    const double ring_base = radius * *ring.teeth * std::cos(alpha);
     const auto centre = drawing.keys.find(kCentreDistance.name);
     const UnitGear& sun = unit_.gears[*set_->sun];
     const double apart = centre != drawing.keys.end() ? std::stod(centre->second.value)
                                                       : radius * (*sun.teeth + *own.teeth);
-    const double working = std::acos((ring_base - base) / apart);
     const double tip = own.tip_diameter
                            ? 0.5 * *own.tip_diameter
                            : radius * *own.teeth + module * (1.0 + own.shift.value_or(0.0));
     const double ring_tip = ring.tip_diameter
                                 ? 0.5 * *ring.tip_diameter
                                 : radius * *ring.teeth - module * (1.0 + ring.shift.value_or(0.0));
-    const double pitch = 2.0 * std::numbers::pi * radius * std::cos(alpha);
-    const double after = (std::sqrt(tip * tip - base * base) - base * std::tan(working)) / pitch;
-    const double before =
-        (ring_base * std::tan(working) - std::sqrt(ring_tip * ring_tip - ring_base * ring_base)) /
-        pitch;
-    constexpr double kLeast = 1.001, kMost = 1.999;  // of the model
-    if (!(before > 0.0 && after > 0.0 && before + after >= kLeast && before + after <= kMost)) {
+    const RingContact contact =
+        ring_contact({*own.teeth, *ring.teeth, radius, alpha, apart, tip, ring_tip});
+    if (!contact.is_usable()) {
       out_.notes.push_back(fmt::format(
           "the tips of {} and {} give the contact ratio {:.4g}, which is not taken: eps_ring "
           "is that of the model",
-          own.name, ring.name, before + after));
+          own.name, ring.name, contact.ratio()));
       return;
     }
-    add("eps_ring", before + after, "contact ratio of planet and ring; computed from their tips");
-    add("approach_ring", before / (before + after), "its share before the pitch point; computed");
+    if (contact.interferes()) {
+      out_.notes.push_back(fmt::format(
+          "the tips of {} reach beyond the point where the line of action touches the base circle "
+          "of {} (interference): eps_ring counts all of that path",
+          ring.name, own.name));
+    }
+    add("eps_ring", contact.ratio(), "contact ratio of planet and ring; computed from their tips");
+    add("approach_ring", contact.approach(), "its share before the pitch point; computed");
   }
 
   void add_carrier() {

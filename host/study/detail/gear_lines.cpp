@@ -90,8 +90,6 @@ double rounded(double value) {
 }
 
 void add_estimates(const TakesKey& takes, GearText* text) {
-  constexpr double kLoad = 100.0;      // N for each mm of width
-  constexpr double kWidth = 10.0;      // modules
   constexpr double kBearing = 2e5;     // N/mm
   constexpr double kDamping = 1e-5;    // s
   constexpr double kBacklash = 0.025;  // modules
@@ -102,7 +100,7 @@ void add_estimates(const TakesKey& takes, GearText* text) {
   const auto add = [&](const GearKey& key, std::string value, const std::string& why) {
     if (takes(key)) keys.try_emplace(key.name, GearTextKey{std::move(value), "ESTIMATE: " + why});
   };
-  const double width = text->face_width_mm.value_or(kWidth * text->module_mm);
+  const double width = text->face_width_mm.value_or(kEstimatedWidth * text->module_mm);
   if (!keys.contains(kMeshStiffness.name)) {
     add(kFaceWidth, fmt::format("{}", width), "ten modules");
   }
@@ -116,7 +114,7 @@ void add_estimates(const TakesKey& takes, GearText* text) {
   add(kDampingRatio, "0.07", "between 0.03 and 0.17");
   add(kHalfBacklash, fmt::format("{}", kBacklash * text->module_mm), "0.025 modules");
   const double radius = 0.5 * text->module_mm * text->teeth[0];
-  add(kTorque, fmt::format("{}", rounded(kLoad * width * radius * 1e-3)),
+  add(kTorque, fmt::format("{}", rounded(kEstimatedLoad * width * radius * 1e-3)),
       "100 N for each mm of the face width");
   const auto helix = keys.find(kHelix.name);
   if (helix == keys.end() || std::stod(helix->second.value) == 0.0) {

@@ -17,6 +17,9 @@ std::string comments(std::string_view lines);
 // To two digits.
 double rounded(double value);
 
+inline constexpr double kEstimatedWidth = 10.0;  // of the face, in modules
+inline constexpr double kEstimatedLoad = 100.0;  // N for each mm of it
+
 // Whether a model takes a key.
 using TakesKey = std::function<bool(const GearKey&)>;
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <optional>
+#include <string_view>
 
 #include "model/names.hpp"
 #include "study/detail/definition_entries.hpp"
@@ -12,6 +13,8 @@
 
 namespace gearsweep {
 namespace {
+
+constexpr std::string_view kGuesses = "estimated";
 
 void give_one(const toml::node& node, const std::string& name, const std::string& origin,
               Study* study) {
@@ -37,6 +40,23 @@ void give_one(const toml::node& node, const std::string& name, const std::string
   study->expressions.erase(name);
 }
 
+// Marks the parameters whose values are guesses. One that is not given any more is none.
+void read_guesses(const toml::table& parameters, const toml::node& node, Study* study) {
+  const std::string right =
+      fmt::format("{} is a list of parameters that the table gives, as in [\"{}\"]", kGuesses,
+                  study->model->parameters.front().name);
+  const toml::array* const names = node.as_array();
+  if (names == nullptr) fail_at(node, right);
+  for (const toml::node& name : *names) {
+    const std::string text = name.value_or(std::string());
+    const int index = study->model->find_parameter(text);
+    if (index < 0) fail_at(name, fmt::format("{}, and '{}' is none", right, text));
+    if (!parameters.contains(text)) continue;
+    std::string& origin = study->parameter_origins[static_cast<std::size_t>(index)];
+    origin = std::string(kEstimatedOrigin) + ", " + origin;
+  }
+}
+
 }  // namespace
 
 void give_parameter(const toml::node& node, const std::string& name, const std::string& origin,
@@ -57,9 +77,14 @@ void give_parameter(const toml::node& node, const std::string& name, const std::
 
 void read_parameters(const toml::table* table, Study* study) {
   if (table == nullptr) return;
+  // A model may have a parameter of this name.
+  const bool has_guesses =
+      table->contains(kGuesses) && study->model->find_parameter(std::string(kGuesses)) < 0;
   for (const auto& [key, node] : *table) {
+    if (has_guesses && key == kGuesses) continue;
     give_parameter(node, std::string(key.str()), place_of(node), study);
   }
+  if (has_guesses) read_guesses(*table, *table->get(kGuesses), study);
 }
 
 void bind_expressions(Study* study) {

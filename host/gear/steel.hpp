@@ -1,0 +1,7 @@
+#pragma once
+
+namespace gearsweep {
+
+inline constexpr double kSteel = 7.85e-6;  // density, kg/mm^3
+
+}  // namespace gearsweep
