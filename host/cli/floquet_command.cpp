@@ -14,6 +14,8 @@
 #include "cli/detail/study_source.hpp"
 #include "cli/standard_streams.hpp"
 #include "point/point_orbit.hpp"
+#include "point/point_trace.hpp"
+#include "result/result_file.hpp"
 
 namespace gearsweep {
 namespace {
@@ -39,7 +41,8 @@ std::function<void(const Branch&)> tell_branch(const std::string& parameter) {
 }
 
 OrbitFindings compute(const FloquetArguments& arguments) {
-  const Study whole = load_study(arguments.study, arguments.overrides);
+  Study whole = load_study(arguments.study, arguments.overrides);
+  settle_step(is_netcdf(arguments.study) ? read_pilot_step(arguments.study) : std::nullopt, &whole);
   OrbitRequest request = {.place = {},
                           .range = {},
                           .range_origin = "--along",

@@ -175,8 +175,12 @@ Study with_values(Study study, const std::array<std::vector<double>, 2>& values)
 
 // Reads the text of a scene's study anew, with other things to observe and the same step.
 Study observing(const Study& study, const std::vector<std::string>& overrides) {
-  Study out = read_study(study.toml, "the page", overrides, {}, {}, NamedFiles::refused);
+  std::vector<std::string> all = overrides;
+  // What tells attractors apart refuses others; they are set below.
+  if (study.integrate.orbit_steps > 1) all.emplace_back("integrate.orbit_steps=1");
+  Study out = read_study(study.toml, "the page", all, {}, {}, NamedFiles::refused);
   out.integrate = study.integrate;
+  FoundStep::of(study).give_to(&out);
   out.separate_points();
   return out;
 }

@@ -28,7 +28,8 @@ Study study_with_axes(const Scene& scene, const std::vector<std::string>& axes) 
   std::vector<std::string> overrides = {fmt::format("axes=[{}]", fmt::join(axes, ", "))};
   const Integrate& integrate = scene.study().integrate;
   if (integrate.steps_per_period == 0) {
-    overrides.push_back(fmt::format("integrate.max_step={}", integrate.max_step));
+    const std::vector<std::string> steps = FoundStep::of(scene.study()).overrides();
+    overrides.insert(overrides.end(), steps.begin(), steps.end());
   }
   return read_study(scene.study().toml, "the view", overrides, {}, {}, NamedFiles::refused);
 }

@@ -122,8 +122,17 @@ std::size_t Plan::steps_at(const ModelSetting& setting) const {
     return (steps * step_parts_ + step_length_ - 1) / step_length_;
   };
   const double for_orders = steps_for_orders(setting);
+  const auto parts = static_cast<double>(study_.integrate.orbit_steps);
+  const double possible =
+      std::min(kMaxSteps, kMaxMeshSteps * study_.model->mesh_periods(setting)) / parts;
   const std::size_t given = study_.integrate.steps_per_period;
   if (given > 0) {
+    if (static_cast<double>(given) * parts > kMaxSteps) {
+      throw InputError(fmt::format(
+          "integrate.steps_per_period = {} and integrate.orbit_steps = {} make {} steps of a "
+          "period on an orbit; at most {} are possible",
+          given, parts, static_cast<double>(given) * parts, kMaxSteps));
+    }
     if (static_cast<double>(given) >= for_orders) return in_own_steps(given);
     throw InputError(fmt::format(
         "the highest of observe.orders takes {} steps of a period or more, {} for each of its "
@@ -132,14 +141,15 @@ std::size_t Plan::steps_at(const ModelSetting& setting) const {
   }
   const double wanted =
       std::max(study_.model->period(setting) / study_.integrate.max_step, for_orders);
-  const double possible = std::min(kMaxSteps, kMaxMeshSteps * study_.model->mesh_periods(setting));
   if (!(wanted <= possible)) {
     throw InputError(
-        fmt::format("a period would take {:.3g} steps of at most {}{}; at most {} are possible: {} "
-                    "integrate.max_step, or give integrate.steps_per_period",
+        fmt::format("a period would take {:.3g} steps of at most {}{}; at most {} are possible{}: "
+                    "{} integrate.max_step, or give integrate.steps_per_period",
                     wanted, study_.integrate.max_step,
                     study_.step_reason.empty() ? "" : fmt::format(" ({})", study_.step_reason),
-                    possible, study_.step_reason.empty() ? "raise" : "give a longer"));
+                    std::floor(possible),
+                    parts > 1.0 ? fmt::format(" with integrate.orbit_steps = {}", parts) : "",
+                    study_.step_reason.empty() ? "raise" : "give a longer"));
   }
   if (study_.model->is_autonomous) return in_own_steps(few_steps(wanted));
   return in_own_steps(shared_steps_.at_least(ladder_steps(wanted)));

@@ -103,8 +103,8 @@ void settle_step(const std::optional<FoundStep>& pilot_step, Study* study) {
   if (study->integrate.tolerance <= 0.0) return;
   if (!pilot_step && study->integrate.is_tolerance_asked) {
     throw InputError(fmt::format(
-        "integrate.tolerance takes a map to find the step: trace a point of the finished map "
-        "(gearsweep trace MAP.nc), or give the step, --set integrate.tolerance=0 --set "
+        "integrate.tolerance takes a map to find the step: give the finished map (MAP.nc) in the "
+        "study's place, or give the step, --set integrate.tolerance=0 --set "
         "integrate.max_step={}",
         study->integrate.max_step));
   }

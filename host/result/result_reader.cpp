@@ -179,10 +179,11 @@ std::optional<FoundStep> read_pilot_step(const std::string& path) {
   const std::vector<double> parts = file.number_attribute(NC_GLOBAL, "pilot_orbit_steps");
   if (step.empty()) return std::nullopt;
   if (parts.empty()) return FoundStep{step.front()};  // of an older file
-  if (!(parts.front() >= 1.0 && parts.front() <= kMaxOrbitSteps)) {
-    throw InputError(
-        fmt::format("'{}': its attribute pilot_orbit_steps is {}; from 1 to {} is right", path,
-                    parts.front(), kMaxOrbitSteps));
+  if (!(parts.front() >= 1.0 && parts.front() <= kMaxOrbitSteps &&
+        parts.front() == std::floor(parts.front()))) {
+    throw InputError(fmt::format(
+        "'{}': its attribute pilot_orbit_steps is {}; a whole number from 1 to {} is right", path,
+        parts.front(), kMaxOrbitSteps));
   }
   return FoundStep{step.front(), static_cast<std::size_t>(parts.front())};
 }

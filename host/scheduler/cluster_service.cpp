@@ -27,7 +27,7 @@ class Job {
  private:
   static Study study_of(const ClusterJob& job) {
     Study study = read_study(job.study, "the study of rank 0", {}, {}, {}, NamedFiles::refused);
-    study.integrate.max_step = job.max_step;
+    job.step.give_to(&study);
     return without_passive_states(study);
   }
 

@@ -12,7 +12,7 @@ ClusterWorkers::ClusterWorkers(const Plan& plan, std::vector<std::unique_ptr<Eng
     : cluster_(cluster),
       own_(plan, std::move(own), task),
       others_(static_cast<std::size_t>(cluster->size())) {
-  const ClusterJob job = {plan.study().toml, plan.study().integrate.max_step, plan.tile_points()};
+  const ClusterJob job = {plan.study().toml, FoundStep::of(plan.study()), plan.tile_points()};
   for (int rank = 1; rank < cluster->size(); ++rank) cluster->send(rank, kJob, pack(job));
 }
 

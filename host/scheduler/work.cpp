@@ -82,9 +82,10 @@ bool Work::compute() {
 std::string key_of(const Plan& plan) {
   const Study& study = plan.study();
   // The steps of a point tell a plan with longer ones.
-  const std::size_t steps = plan.steps_of(plan.stages().front().tiles.front().points.front());
-  return fmt::format("{}\n{}\n{}\n{}\n{}\n{}", source_hash(), study.toml, study.integrate.max_step,
-                     steps, plan.tile_points(), plan.points().key());
+  const std::size_t steps = plan.steps_of(plan.points().point(0, 0));
+  return fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}", source_hash(), study.toml,
+                     study.integrate.max_step, study.integrate.orbit_steps, steps,
+                     plan.tile_points(), plan.points().key());
 }
 
 }  // namespace gearsweep

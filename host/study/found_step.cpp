@@ -4,6 +4,10 @@
 
 namespace gearsweep {
 
+FoundStep FoundStep::of(const Study& study) {
+  return {study.integrate.max_step, study.integrate.orbit_steps};
+}
+
 void FoundStep::give_to(Study* study) const {
   study->integrate.max_step = max_step;
   study->integrate.orbit_steps = study->selection.census ? 1 : orbit_steps;

@@ -1,5 +1,6 @@
-// The integration step that a pilot run finds for a study (sweep/pilot.hpp). What a map was
-// computed with serves all that is computed of its points later: traces, views, a report.
+// The steps of a study's run, also where a pilot run has found them (sweep/pilot.hpp) and the
+// study's text does not have them. They go with the study: to other processes, into files, and to
+// all that is computed of a map's points later.
 #pragma once
 
 #include <string>
@@ -13,6 +14,7 @@ struct FoundStep {
   double max_step = 0.0;        // in the model's time
   std::size_t orbit_steps = 1;  // as of Integrate
 
+  static FoundStep of(const Study& study);
   // Where attractors are told apart, by where motions are, all motions have the same steps.
   void give_to(Study* study) const;
   // KEY=VALUE, for a study that is read and shall not search again.

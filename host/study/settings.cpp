@@ -23,6 +23,7 @@ std::string resolved_settings(const Study& study) {
   text += integrate.steps_per_period > 0
               ? fmt::format("steps_per_period = {}\n", integrate.steps_per_period)
               : fmt::format("max_step = {}\n", integrate.max_step);
+  text += fmt::format("orbit_steps = {}\n", integrate.orbit_steps);
   text += fmt::format("events = {}\n", integrate.events);
   text += fmt::format("settle = {}\nrecord = {}\nwarm_up = {}\nextend = {}\n", integrate.settle,
                       integrate.record, integrate.warm_up, integrate.extend);

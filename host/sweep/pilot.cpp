@@ -177,10 +177,11 @@ class StepSearch {
     double step, fine;  // the longest that will do, and that of the run which judged it
   };
 
-  // Not longer than `longest`.
+  // Not longer than `longest`. Each step is judged by one of half its length at most.
   Found search(double longest) {
-    const double fine = will_do(longest, own_step_) ? own_step_ : find_reference();
-    return {find_longest(std::min(2.0 * fine, longest), longest, fine), fine};
+    const double first = std::min(own_step_, longest / 2.0);
+    const double fine = will_do(longest, first) ? first : find_reference(first);
+    return {find_longest(2.0 * fine, longest, fine), fine};
   }
 
   MapErrors errors(double coarse, double fine) {
@@ -237,14 +238,15 @@ class StepSearch {
     return pair.furthest(share()).is_kept() && is_supported(pair) && pair.others_agree(kBeyond);
   }
 
-  // A step so short that one of twice its length will do at all points but the sensitive ones.
-  // These were counted in the same pair of runs, so chance adds nothing to their share.
-  double find_reference() {
+  // From `first` on down a step so short that one of twice its length will do at all points but the
+  // sensitive ones. These were counted in the same pair of runs, so chance adds nothing to their
+  // share.
+  double find_reference(double first) {
     std::vector<MapErrors> halvings;
-    if (runs_.differ(4.0 * own_step_, 2.0 * own_step_)) {
-      halvings.push_back(errors(4.0 * own_step_, 2.0 * own_step_));
+    if (runs_.differ(4.0 * first, 2.0 * first)) {
+      halvings.push_back(errors(4.0 * first, 2.0 * first));
     }
-    for (double fine = own_step_; fine >= shortest_ && runs_.is_possible(fine); fine /= 2.0) {
+    for (double fine = first; fine >= shortest_ && runs_.is_possible(fine); fine /= 2.0) {
       const MapErrors& last = halvings.emplace_back(errors(2.0 * fine, fine));
       if (last.furthest(kBeyond).is_kept()) return fine;
       if (halvings.size() < kPairs) continue;

@@ -47,9 +47,9 @@ SHARED_FN void orders_step(real* sums, real earlier, real before, real middle, r
   const real a = sixth_weight * (before - sums[orders_origin]);
   const real m = ((scalar)(4) * sixth_weight) * (middle - sums[orders_origin]);
   const real b = sixth_weight * (after - sums[orders_origin]);
-  const OrderPhases* at_a = &step->before->orders;
-  const OrderPhases* at_m = &step->middle->orders;
-  const OrderPhases* at_b = &step->after->orders;
+  const OrdersAt* at_a = &step->before->orders;
+  const OrdersAt* at_m = &step->middle->orders;
+  const OrdersAt* at_b = &step->after->orders;
   UNROLL
   for (int k = 0; k < ORDER_COUNT; ++k) {
     sums[orders_period_cosine + k] =
@@ -61,7 +61,7 @@ SHARED_FN void orders_step(real* sums, real earlier, real before, real middle, r
 }
 
 SHARED_FN void orders_end_period(real* sums, const Section* section) {
-  const OrderPhases* end = &section->end->orders;
+  const OrdersAt* end = &section->end->orders;
   UNROLL
   for (int k = 0; k < ORDER_COUNT; ++k) {
     const real cosine = sums[orders_turn_cosine + k];

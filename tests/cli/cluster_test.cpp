@@ -55,6 +55,19 @@ TEST_F(ClusterTest, AnyNumberOfRanksGivesTheMapsOfOneProcess) {
   }
 }
 
+// What a pilot run has found is not in the study's text: all ranks take these steps.
+TEST_F(ClusterTest, AllRanksTakeTheStepsThatAPilotRunHasFound) {
+  const std::string found =
+      " --set integrate.tolerance=1e-3 --set observe.quantities=[\"x1_rms\",\"lyapunov_max\"] "
+      "--set integrate.settle=300 --set integrate.record=100 --set axes.e0.count=16";
+  const Outcome whole = gearsweep(folder_, "run study.toml -o whole.nc" + found);
+  ASSERT_EQ(whole.status, 0) << whole.err;
+  EXPECT_THAT(whole.out + whole.err, HasSubstr("1/4 of that on orbits"));
+  const Outcome shared = run_in(folder_, launch(3, "-o out.nc" + found));
+  EXPECT_EQ(shared.status, 0) << shared.err;
+  EXPECT_EQ(difference("out.nc", "whole.nc"), "");
+}
+
 TEST_F(ClusterTest, AChainPassesItsStatesOn) {
   const std::string chained = " --set initial.policy=forward --set initial.along=omega --quiet";
   ASSERT_EQ(gearsweep(folder_, "run study.toml -o whole.nc" + chained).status, 0);

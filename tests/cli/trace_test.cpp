@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"trace study.toml --at omega=0.7,b=1 -o t.txt", "must end in .nc or .csv"},
         Refusal{"trace study.toml --at omega=0.7,b=1 -o missing/t.nc", "missing"},
         Refusal{"trace study.toml --at omega=0.7,b=1 -o t.nc --set integrate.tolerance=1e-4",
-                "trace a point of the finished map"},
+                "give the finished map (MAP.nc)"},
         Refusal{"reproduce --preset other -o folder", "paper"},
         Refusal{"reproduce -o study.toml", "study.toml"}),
     [](const auto& refusal) { return "number_" + std::to_string(refusal.index); });

@@ -233,6 +233,25 @@ TEST(Pilot, GivesShorterStepsToOrbitsWhereExponentsNeedThem) {
   EXPECT_EQ(told.pilot->step.orbit_steps, 1U);
 }
 
+// Whatever is asked of exponents and of other maps, a step is judged by a shorter one. The exponent
+// of a damped linear oscillator is known: half of its damping.
+TEST(Pilot, JudgesStepsOnOrbitsByShorterOnes) {
+  for (const char* maps : {"1e-4", "1e-5", "1e-6", "1e-7"}) {
+    for (const double exponents : {1e-6, 1e-8}) {
+      SCOPED_TRACE(fmt::format("{} {}", maps, exponents));
+      const SweepResult result = run(replaced(kOscillator, "'x_rms'", "'x_rms', 'lyapunov_max'"),
+                                     {std::string("integrate.tolerance=") + maps,
+                                      fmt::format("integrate.exponent_tolerance={}", exponents)});
+      ASSERT_TRUE(result.pilot.has_value());
+      EXPECT_GT(result.pilot->error, 0.0);
+      EXPECT_LE(max_error(result), 2.0 * std::stod(maps));
+      for (const double exponent : map_of(result, "lyapunov_max")) {
+        EXPECT_NEAR(exponent, -0.05, 2.0 * exponents * 0.05);
+      }
+    }
+  }
+}
+
 // In SI units the model's step is longer than any period, so that a period has the same few steps
 // whatever longer step is asked for.
 TEST(Pilot, ComparesNoGridWithItself) {

@@ -81,6 +81,7 @@ std::string forecast_as_json(const Forecast& forecast) {
                          {"disk_bytes_left", known_as_json(estimate.disk_left)}};
   json["integrated_states"] = forecast.integrated;
   json["max_step"] = forecast.study.integrate.max_step;
+  json["orbit_steps"] = forecast.study.integrate.orbit_steps;
   if (forecast.pilot) json["pilot"] = pilot_as_json(*forecast.pilot);
   json["devices"] = nlohmann::json::array();
   for (const DeviceEstimate& device : estimate.devices) {

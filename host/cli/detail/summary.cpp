@@ -314,6 +314,7 @@ std::string run_as_json(const SweepResult& result, const std::string& path) {
   json["stopped"] = result.stopped;
   json["integrated_states"] = result.integrated;
   json["max_step"] = result.study.integrate.max_step;
+  json["orbit_steps"] = result.study.integrate.orbit_steps;
   if (!result.study.accuracy.empty()) json["accuracy"] = result.study.accuracy;
   if (result.pilot) json["pilot"] = pilot_as_json(*result.pilot);
   json["device"] = result.engine.device;

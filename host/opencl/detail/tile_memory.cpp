@@ -33,6 +33,7 @@ class Estimate {
   Estimate(const Plan& plan, const Tile& tile, const BufferLayout& layout)
       : plan_(plan),
         study_(plan.study()),
+        orbit_plan_(plan.with_shorter_steps(study_.integrate.orbit_steps)),
         selection_(study_.selection),
         tile_(tile),
         layout_(layout),
@@ -83,7 +84,7 @@ class Estimate {
       const std::size_t parts = segment_bounds(*study_.model, plan_.setting_of(point)).size() - 1;
       segments += parts;
       // Each segment rounds its steps up.
-      rows += 2 * (plan_.steps_of(point) + parts) + parts;
+      rows += 2 * (orbit_plan_.steps_of(point) + parts) + parts;
     }
     Buffers buffers;
     buffers.add(keys.size() * sizeof(SweepGrid));
@@ -149,6 +150,7 @@ class Estimate {
 
   const Plan& plan_;
   const Study& study_;
+  const Plan orbit_plan_;
   const Selection& selection_;
   const Tile& tile_;
   const BufferLayout layout_;

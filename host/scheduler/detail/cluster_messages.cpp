@@ -17,14 +17,20 @@ std::string message_of(const std::exception_ptr& failure) {
 }  // namespace
 
 std::vector<std::byte> pack(const ClusterJob& job) {
-  return Packer().add(job.study).add(job.max_step).add(std::uint64_t{job.tile_points}).take();
+  return Packer()
+      .add(job.study)
+      .add(job.step.max_step)
+      .add(std::uint64_t{job.step.orbit_steps})
+      .add(std::uint64_t{job.tile_points})
+      .take();
 }
 
 ClusterJob unpack_job(const std::vector<std::byte>& bytes) {
   Unpacker in(bytes);
   ClusterJob job;
   job.study = in.sequence<std::string>();
-  job.max_step = in.number();
+  job.step.max_step = in.number();
+  job.step.orbit_steps = in.integer();
   job.tile_points = in.integer();
   return job;
 }

@@ -3,6 +3,7 @@
 
 #include "scheduler/detail/packing.hpp"
 #include "scheduler/worker_pool.hpp"
+#include "study/found_step.hpp"
 
 namespace gearsweep {
 
@@ -17,7 +18,7 @@ enum ClusterMessageKind {
 
 struct ClusterJob {
   std::string study;  // TOML
-  double max_step = 0.0;
+  FoundStep step;
   std::size_t tile_points = 0;
 };
 
