@@ -58,7 +58,7 @@ TEST_F(ClusterTest, AnyNumberOfRanksGivesTheMapsOfOneProcess) {
 // What a pilot run has found is not in the study's text: all ranks take these steps.
 TEST_F(ClusterTest, AllRanksTakeTheStepsThatAPilotRunHasFound) {
   const std::string found =
-      " --set integrate.tolerance=1e-3 --set observe.quantities=[\"x1_rms\",\"lyapunov_max\"] "
+      " --set integrate.tolerance=1e-3 --set 'observe.quantities=[\"x1_rms\",\"lyapunov_max\"]' "
       "--set integrate.settle=300 --set integrate.record=100 --set axes.e0.count=16";
   const Outcome whole = gearsweep(folder_, "run study.toml -o whole.nc" + found);
   ASSERT_EQ(whole.status, 0) << whole.err;
