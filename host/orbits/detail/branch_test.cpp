@@ -149,8 +149,12 @@ std::optional<Bracket> locate(const Follower& follower, const Follower& coarser,
   Bracket bracket{a, b};
   const VectorXd direction = (b.z - a.z).normalized();
   while ((bracket.high.z - bracket.low.z).norm() > kBracket) {
-    const VectorXd middle = 0.5 * (bracket.low.z + bracket.high.z);
-    std::optional<BranchPoint> next = follower.correct(middle, direction);
+    // The middle may be where branches cross, and Newton's method comes to nothing: beside it then.
+    std::optional<BranchPoint> next;
+    for (const double share : {0.5, 0.4, 0.6}) {
+      next = follower.correct(bracket.low.z + share * (bracket.high.z - bracket.low.z), direction);
+      if (next) break;
+    }
     if (!next) return std::nullopt;
     (changes(test, bracket.low, *next) ? bracket.high : bracket.low) = *std::move(next);
   }
