@@ -110,6 +110,7 @@ class Session:
         period: int | None,
         steps: int | None,
         equilibrium: bool,
+        generations: int,
         device: str,
         call: str,
     ) -> _Described: ...

@@ -49,6 +49,7 @@ GOOD: dict[str, Mapping[str, object]] = {
         "period": None,
         "steps": 64,
         "equilibrium": False,
+        "switch": None,
         "set": MAP,
         "device": None,
         "omega": 0.7,
