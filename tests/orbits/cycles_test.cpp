@@ -130,6 +130,11 @@ TEST(Cycles, DoubleWhereAMultiplierIsMinusOne) {
   EXPECT_EQ(back.bifurcations[0].kind, Bifurcation::flip);
   EXPECT_EQ(back.bifurcations[0].born_of, 1U);
   EXPECT_NEAR(back.bifurcations[0].parameter, 2.83244502786, 1e-6);
+  // In steps of a wide range the doubled cycle and the single one are near each other there.
+  const Example far("rossler", {{"c", 3.5}});
+  const Branch wide = far.follow(cycle_of(far, 500.0), "c", 2.6, 6.0, false);
+  ASSERT_EQ(wide.bifurcations.size(), 1U);
+  EXPECT_NEAR(wide.bifurcations[0].parameter, 2.83244502786, 1e-6);
 }
 
 // The eigenvalues of the Brusselator's rest at (a, b/a) have the real part (b - 1 - a^2)/2. Over a
