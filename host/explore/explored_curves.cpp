@@ -97,19 +97,19 @@ void follow_orbit(std::size_t periods, const ExploredCurves& curves, const Sweep
   motion->samples_per_period = samples;
 }
 
-}  // namespace
-
-ExploredCurves read_explored_curves(const std::string& path, const Study& study) {
+// name: of the curves. origin: as require_plane() has it.
+ExploredCurves explored(StoredCurves stored, Study of_curves, const Study& study,
+                        const std::string& name, const std::string& origin) {
   ExploredCurves curves;
-  curves.stored = read_borders(path);
-  curves.study = read_border_study(path, curves.stored);
-  require_plane(path, curves.study, study);
+  curves.stored = std::move(stored);
+  curves.study = std::move(of_curves);
+  require_plane(origin, curves.study, study);
   Study base = curves.study;
   base.separate_points();
   const Study reduced = without_passive_states(base);  // as the search for curves does
   const Model& model = *reduced.model;
   if (model.state_names() != curves.stored.states) {
-    throw InputError(fmt::format("'{}' has orbits that are not of its own study", path));
+    throw InputError(fmt::format("'{}' has orbits that are not of its own study", name));
   }
   curves.kept = model.reduction.kept;
   curves.mirrors = model.reduction.mirrors;
@@ -118,6 +118,22 @@ ExploredCurves read_explored_curves(const std::string& path, const Study& study)
     std::iota(curves.kept.begin(), curves.kept.end(), std::size_t{0});
   }
   return curves;
+}
+
+}  // namespace
+
+ExploredCurves read_explored_curves(const std::string& path, const Study& study,
+                                    const std::string& option) {
+  StoredCurves stored = read_borders(path);
+  Study of_curves = read_border_study(path, stored);
+  return explored(std::move(stored), std::move(of_curves), study, path,
+                  fmt::format("{} {}", option, path));
+}
+
+ExploredCurves explored_curves(StoredCurves stored, Study of_curves, const Study& study,
+                               const std::string& name) {
+  require_own_study(name, of_curves, stored);
+  return explored(std::move(stored), std::move(of_curves), study, name, name);
 }
 
 BorderMotion find_border_motion(const Scene& scene, const ExploredCurves& curves,

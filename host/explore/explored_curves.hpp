@@ -23,7 +23,13 @@ struct ExploredCurves {
 
 // study: explorable(). No other thread may be at a NetCDF file meanwhile. Throws InputError where
 // the file holds no curves, or those of another plane than the study's.
-ExploredCurves read_explored_curves(const std::string& path, const Study& study);
+// option: what messages call the one that named the file.
+ExploredCurves read_explored_curves(const std::string& path, const Study& study,
+                                    const std::string& option = "--curves");
+// The same of curves that a program has read, with the study of their map. Messages call them
+// `name`.
+ExploredCurves explored_curves(StoredCurves stored, Study of_curves, const Study& study,
+                               const std::string& name);
 
 struct CurvePlace {
   std::size_t curve = 0, point = 0;

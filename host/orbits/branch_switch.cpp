@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 constexpr std::size_t kMaxLeaving = 64;  // branches: what has more has one for each of many folds
 // Of the critical multiplier: where a bifurcation was bracketed it is as near.
 constexpr double kAtBorder = 1e-2;
-constexpr double kBesideLanding = 0.5;  // correction, as a share of the way to the side
+constexpr double kBesideLanding = 0.5;  // correction of states, as a share of the way to the side
 constexpr double kOwnHalf = 0.1;  // how far a doubled orbit's halves are apart, as such a share
 constexpr double kTold = 1e-8, kSameBirth = 1e-6;  // of the range
 constexpr double kOneWay = 1e-3;                   // sine of the angle between both branches
@@ -35,12 +35,14 @@ Orbit of_leaving(const LocatedBifurcation& at) {
   if (at.kind == Bifurcation::flip) {
     orbit.period *= 2;
     orbit.duration *= 2.0;
+    orbit.steps *= 2;
   }
   return orbit;
 }
 
 // Where the other branch goes: its tangent, the critical eigenvector in these sizes, which changes
-// no parameter; and what of it lies across the followed branch, a unit vector.
+// no parameter, and no cycle's length; and what of it lies across the followed branch, a unit
+// vector.
 struct Aside {
   VectorXd tangent, across;  // the product of both is 1
 };
@@ -57,9 +59,11 @@ std::optional<Aside> find_aside(const LocatedBifurcation& at, const VectorXd& si
   }
   if (!(off(nearest) <= kAtBorder)) return std::nullopt;
   const Index states = sizes.size();
-  VectorXd tangent = VectorXd::Zero(states + 1), followed(states + 1);
+  const Index last = states + (at.orbit.kind == OrbitKind::cycle ? 1 : 0);
+  VectorXd tangent = VectorXd::Zero(last + 1), followed = VectorXd::Zero(last + 1);
   tangent.head(states) = solver.eigenvectors().col(nearest).real().cwiseQuotient(sizes);
-  followed << at.way.head(states).cwiseQuotient(sizes), at.way[states] / range;
+  followed.head(states) = at.way.head(states).cwiseQuotient(sizes);
+  followed[last] = at.way[states] / range;
   tangent.normalize();
   followed.normalize();
   const VectorXd across = tangent - tangent.dot(followed) * followed;
@@ -71,8 +75,11 @@ std::optional<Aside> find_aside(const LocatedBifurcation& at, const VectorXd& si
 }  // namespace
 
 bool has_leaving_branch(const LocatedBifurcation& at) {
-  if (at.born_of > 0 || at.orbit.kind != OrbitKind::forced) return false;
-  return at.kind == Bifurcation::flip || at.kind == Bifurcation::branching;
+  if (at.born_of > 0 || at.orbit.kind == OrbitKind::equilibrium) return false;
+  // Of a cycle two multipliers are 1 where branches cross: one eigenvector is not told from the
+  // cycle's own direction.
+  return at.kind == Bifurcation::flip ||
+         (at.kind == Bifurcation::branching && at.orbit.kind == OrbitKind::forced);
 }
 
 std::vector<BranchStart> leaving_branches(const FollowRequest& request,
@@ -80,18 +87,25 @@ std::vector<BranchStart> leaving_branches(const FollowRequest& request,
   std::vector<BranchStart> starts;
   FollowRequest beside = request;
   beside.setting.parameters[request.parameter] = at.parameter;
+  beside.is_at_bifurcation = true;
   const Orbit orbit = of_leaving(at);
   const Follower follower(beside, orbit, 1);
   const std::optional<Aside> aside = find_aside(at, follower.sizes(), follower.range());
   if (!aside) return starts;
-  VectorXd z(aside->across.size());
-  z << orbit.state.cwiseQuotient(follower.sizes()), at.parameter / follower.range();
+  VectorXd z = VectorXd::Ones(aside->across.size());  // a cycle is told in its own length
+  z.head(orbit.state.size()) = orbit.state.cwiseQuotient(follower.sizes());
+  z[z.size() - 1] = at.parameter / follower.range();
   const auto beside_by = [&](double far) -> std::optional<BranchPoint> {
     const VectorXd guess = z + far * aside->tangent;
     std::optional<BranchPoint> found = follower.correct(guess, aside->across);
     const double way = std::fabs(far);
+    // How far the parameter changes meanwhile depends on the range, and on how steep the branch is.
+    const auto landing = [&] {
+      const Index parameter = guess.size() - 1;
+      return (found->z - guess).head(parameter).norm();
+    };
     const bool is_it =
-        found && (found->z - guess).norm() <= kBesideLanding * way &&
+        found && landing() <= kBesideLanding * way &&
         (at.kind != Bifurcation::flip || follower.half_return(*found) > kOwnHalf * way);
     return is_it ? found : std::nullopt;
   };
@@ -144,6 +158,7 @@ std::vector<LeavingBranch> follow_leaving(const FollowRequest& request,
           FollowRequest further = request;
           further.setting.parameters[request.parameter] = start.parameter;
           further.upwards = start.upwards;
+          further.is_at_bifurcation = true;
           leaving.branches.push_back(follow_orbit(further, start.orbit));
         }
         found.push_back(std::move(leaving));

@@ -19,8 +19,8 @@ struct BranchStart {
   bool upwards = true;
 };
 
-// Whether a branch leaves there that can be gone to: at flips of driven motions, and where branches
-// of these cross. Not where the branch itself was born.
+// Whether a branch leaves there that can be gone to: at flips, and where branches of driven motions
+// cross. Not where the branch itself was born.
 bool has_leaving_branch(const LocatedBifurcation& at);
 
 // One orbit for each direction of the parameter in which the other branch goes; none where Newton's

@@ -18,7 +18,6 @@ constexpr double kFirstStep = 2e-3, kMaxStep = 0.02, kMinStep = 1e-7;
 constexpr std::size_t kMaxOrbits = 4000;
 constexpr int kQuickCorrection = 4;    // so many iterations or fewer: the next step is longer
 constexpr double kJustDoubled = 1e-3;  // half_return of an orbit that has only just doubled
-constexpr double kHalved = 1e-9;       // half_return of an orbit of half the period
 constexpr double kStraight = 0.9;      // smallest cosine of the angle between neighbours
 constexpr double kFarLanding = 0.3;    // correction, as a share of the step
 constexpr double kSmallCycle = 2e-3;   // of the largest cycle: near its birth

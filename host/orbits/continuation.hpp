@@ -47,6 +47,9 @@ struct FollowRequest {
   const std::atomic<bool>* stop = nullptr;  // as in PeriodMap
   // Told of each orbit, the last one of the branch so far; empty: nobody asks.
   std::function<void(const Branch& so_far)> each_orbit = {};
+  // It has just left another branch: how fast it changes along the parameter says nothing of its
+  // size.
+  bool is_at_bifurcation = false;
 };
 
 // Follows the orbit `start` of `request.setting`. Bifurcations are located to about 1e-9 of the

@@ -40,4 +40,17 @@ OrbitLine orbits_of(const OrbitFindings& findings) {
   return line;
 }
 
+std::vector<BranchOrbit> orbits_of(const OrbitFindings& findings, const LeavingBranch& leaving) {
+  const bool is_rising = findings.range && findings.range->from < findings.range->to;
+  std::vector<BranchOrbit> line;
+  for (const Branch& branch : leaving.branches) {
+    if (branch.upwards != is_rising) {
+      line.insert(line.begin(), branch.orbits.rbegin(), branch.orbits.rend());
+    } else {
+      line.insert(line.end(), branch.orbits.begin(), branch.orbits.end());
+    }
+  }
+  return line;
+}
+
 }  // namespace gearsweep

@@ -27,6 +27,7 @@ struct OrbitFindings {
   std::optional<FollowedRange> range;
   std::vector<Branch> branches;             // downwards and upwards; none without a range
   std::vector<LeavingBranch> leaving = {};  // what leaves them, as far as it was asked for
+  std::size_t generations = 0;              // that were asked for
 };
 
 // The bifurcations of branches, by the parameter's value; of findings without what leaves them.
@@ -42,5 +43,7 @@ struct OrbitLine {
 // The branches as one line, from the range's `from` to its `to`. The orbit alone where there is no
 // range, or no way to begin.
 OrbitLine orbits_of(const OrbitFindings& findings);
+// The same of a branch that leaves others, which has no orbit at the bifurcation itself.
+std::vector<BranchOrbit> orbits_of(const OrbitFindings& findings, const LeavingBranch& leaving);
 
 }  // namespace gearsweep

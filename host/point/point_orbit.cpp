@@ -146,6 +146,7 @@ void follow(const OrbitRequest& asked, const PeriodMap& map, const std::atomic<b
   request.upwards = true;
   if (start < request.to) branches.push_back(follow_orbit(request, first));
   findings->leaving = follow_leaving(request, branches, asked.generations);
+  findings->generations = asked.generations;
 }
 
 }  // namespace

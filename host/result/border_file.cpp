@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <optional>
 #include <string_view>
 
 #include "borders/border_search.hpp"
@@ -255,25 +256,95 @@ namespace {
 
 constexpr double kMaxPeriod = 4096.0;  // far above what a search looks at
 
+// The variables of a file, and below those of a table, in one way. Where there is no such variable
+// nothing is given.
+class FileSource {
+ public:
+  explicit FileSource(const std::string& path) : file_(NetcdfFile::open(path)) {}
+
+  std::string note(const std::string& name) const {
+    return file_.text_attribute(NC_GLOBAL, name).value_or("");
+  }
+
+  std::optional<double> steps() const {
+    const std::vector<double> steps = file_.number_attribute(NC_GLOBAL, "steps_per_period");
+    return steps.size() == 1 ? std::optional(steps.front()) : std::nullopt;
+  }
+
+  std::optional<std::vector<std::string>> texts(const std::string& name) const {
+    const int variable = file_.find_variable(name);
+    return variable < 0 ? std::nullopt : std::optional(file_.read_texts(variable));
+  }
+
+  std::vector<std::size_t> shape(const std::string& name) const {
+    std::vector<std::size_t> sizes;
+    const int variable = file_.find_variable(name);
+    if (variable < 0) return sizes;
+    for (const int dimension : file_.dimensions_of(variable)) {
+      sizes.push_back(file_.dimension_size(dimension));
+    }
+    return sizes;
+  }
+
+  // Of a shape that was asked for.
+  std::vector<double> numbers(const std::string& name) const {
+    const std::vector<std::size_t> sizes = shape(name);
+    return file_.read(file_.find_variable(name), std::vector<std::size_t>(sizes.size()), sizes);
+  }
+
+ private:
+  NetcdfFile file_;
+};
+
+class TableSource {
+ public:
+  explicit TableSource(const BorderTable& table) : table_(table) {}
+
+  std::string note(const std::string& name) const {
+    const auto found = table_.notes.find(name);
+    return found == table_.notes.end() ? "" : found->second;
+  }
+
+  std::optional<double> steps() const { return table_.steps; }
+
+  std::optional<std::vector<std::string>> texts(const std::string& name) const {
+    const auto found = table_.texts.find(name);
+    return found == table_.texts.end() ? std::nullopt : std::optional(found->second);
+  }
+
+  std::vector<std::size_t> shape(const std::string& name) const {
+    const auto found = table_.numbers.find(name);
+    return found == table_.numbers.end() ? std::vector<std::size_t>{} : found->second.shape;
+  }
+
+  std::vector<double> numbers(const std::string& name) const {
+    return table_.numbers.at(name).elements;
+  }
+
+ private:
+  const BorderTable& table_;
+};
+
 // Reads a file of curves; whatever is not as write_borders() leaves it refuses the file.
+template <typename Source>
 class BorderReader {
  public:
-  explicit BorderReader(const std::string& path) : path_(path), file_(NetcdfFile::open(path)) {}
+  BorderReader(const std::string& path, Source source) : path_(path), file_(std::move(source)) {}
 
   StoredCurves read() {
     if (note("content") != kContentOfBorders) refuse();
     StoredCurves out;
     out.x = note("x");
     out.y = note("y");
-    out.states = file_.read_texts(find("state"));
-    const std::vector<double> steps = file_.number_attribute(NC_GLOBAL, "steps_per_period");
-    if (steps.size() != 1 || !(steps.front() >= 1.0 && steps.front() <= 1e9)) refuse();
-    out.steps = static_cast<std::size_t>(steps.front());
+    out.states = texts("state");
+    const std::optional<double> steps = file_.steps();
+    if (!steps || !(*steps >= 1.0 && *steps <= 1e9)) refuse();
+    out.steps = static_cast<std::size_t>(*steps);
     read_points(out);
     const std::vector<double> counts = row("curve_points"), periods = row("curve_period");
     const std::vector<double> errors = row("curve_step_error");
-    const std::vector<std::string> kinds = file_.read_texts(find("curve_kind"));
-    const std::vector<std::string> limits = file_.read_texts(find("curve_limit"));
+    const std::vector<std::string> kinds = texts("curve_kind");
+    const std::vector<std::string> limits = texts("curve_limit");
     for (const std::size_t size : {kinds.size(), limits.size(), periods.size(), errors.size()}) {
       if (size != counts.size()) refuse();
     }
@@ -299,32 +370,23 @@ class BorderReader {
  private:
   [[noreturn]] void refuse() const { refuse_no_curves(path_); }
 
-  std::string note(const char* name) const {
-    return file_.text_attribute(NC_GLOBAL, name).value_or("");
-  }
+  std::string note(const char* name) const { return file_.note(name); }
 
-  int find(const std::string& name) const {
-    const int variable = file_.find_variable(name);
-    if (variable < 0) refuse();
-    return variable;
+  std::vector<std::string> texts(const std::string& name) const {
+    std::optional<std::vector<std::string>> found = file_.texts(name);
+    if (!found) refuse();
+    return *std::move(found);
   }
 
   std::vector<double> row(const std::string& name) const {
-    const int variable = find(name);
-    const std::vector<int> dimensions = file_.dimensions_of(variable);
-    if (dimensions.size() != 1) refuse();
-    return file_.read(variable, {0}, {file_.dimension_size(dimensions.front())});
+    if (file_.shape(name).size() != 1) refuse();
+    return file_.numbers(name);
   }
 
   // Of so many rows and columns, row by row.
   std::vector<double> matrix(const std::string& name, std::size_t rows, std::size_t columns) const {
-    const int variable = find(name);
-    const std::vector<int> dimensions = file_.dimensions_of(variable);
-    if (dimensions.size() != 2 || file_.dimension_size(dimensions[0]) != rows ||
-        file_.dimension_size(dimensions[1]) != columns) {
-      refuse();
-    }
-    return file_.read(variable, {0, 0}, {rows, columns});
+    if (file_.shape(name) != std::vector{rows, columns}) refuse();
+    return file_.numbers(name);
   }
 
   void read_points(const StoredCurves& out) {
@@ -353,8 +415,9 @@ class BorderReader {
   }
 
   void read_special(StoredCurves* out) const {
-    if (file_.find_variable("special_kind") < 0) return;
-    const std::vector<std::string> names = file_.read_texts(find("special_kind"));
+    const std::optional<std::vector<std::string>> special = file_.texts("special_kind");
+    if (!special) return;
+    const std::vector<std::string>& names = *special;
     const std::vector<double> x = row("special_" + out->x), y = row("special_" + out->y);
     if (x.size() != names.size() || y.size() != names.size()) refuse();
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -378,7 +441,7 @@ class BorderReader {
   }
 
   const std::string& path_;
-  NetcdfFile file_;
+  const Source file_;
   // Of all curves, one after the other.
   std::vector<std::pair<double, double>> places_;
   std::vector<bool> is_stable_;
@@ -387,6 +450,12 @@ class BorderReader {
 
 }  // namespace
 
-StoredCurves read_borders(const std::string& path) { return BorderReader(path).read(); }
+StoredCurves read_borders(const std::string& path) {
+  return BorderReader(path, FileSource(path)).read();
+}
+
+StoredCurves read_borders(const BorderTable& table, const std::string& origin) {
+  return BorderReader(origin, TableSource(table)).read();
+}
 
 }  // namespace gearsweep

@@ -4,6 +4,7 @@
 
 #include <complex>
 #include <limits>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -58,5 +59,20 @@ struct StoredCurves {
 bool holds_borders(const std::string& path);
 // Throws InputError when the file holds no curves.
 StoredCurves read_borders(const std::string& path);
+
+// What such a file has, by name, where a program has it without the file.
+struct BorderTable {
+  struct Numbers {
+    std::vector<std::size_t> shape;  // as many elements
+    std::vector<double> elements;
+  };
+
+  std::map<std::string, std::string> notes;  // its attributes that are texts
+  double steps = 0.0;                        // its attribute steps_per_period
+  std::map<std::string, std::vector<std::string>> texts;
+  std::map<std::string, Numbers> numbers;
+};
+// Throws InputError, which calls it `origin`, where a file of these would be refused.
+StoredCurves read_borders(const BorderTable& table, const std::string& origin);
 
 }  // namespace gearsweep

@@ -98,17 +98,21 @@ std::optional<PlaneDifference> plane_difference(const Study& curves, const Study
 
 Study read_border_study(const std::string& path, const StoredCurves& stored) {
   Study study = read_result_study(path);
-  const std::array<std::string, 2> own = {stored.x, stored.y};
-  if (!std::ranges::equal(own, study.axes, {}, {}, &Axis::name)) {
-    throw InputError(fmt::format("'{}' has curves that are not of its own study", path));
-  }
+  require_own_study(path, study, stored);
   return study;
 }
 
-void require_plane(const std::string& path, const Study& curves, const Study& map) {
+void require_own_study(const std::string& name, const Study& study, const StoredCurves& stored) {
+  const std::array<std::string, 2> own = {stored.x, stored.y};
+  if (!std::ranges::equal(own, study.axes, {}, {}, &Axis::name)) {
+    throw InputError(fmt::format("'{}' has curves that are not of its own study", name));
+  }
+}
+
+void require_plane(const std::string& origin, const Study& curves, const Study& map) {
   const std::optional<PlaneDifference> difference = plane_difference(curves, map);
   if (!difference) return;
-  throw InputError(fmt::format("--curves {}: its curves are {}, the map is {}", path,
+  throw InputError(fmt::format("{}: its curves are {}, the map is {}", origin,
                                difference->of_curves, difference->of_map));
 }
 

@@ -24,8 +24,11 @@ std::optional<PlaneDifference> plane_difference(const Study& curves, const Study
 // or one of other parameters.
 Study read_border_study(const std::string& path, const StoredCurves& stored);
 
-// Throws InputError where curves of this study, in the file at `path`, do not lie in the plane of a
-// map.
-void require_plane(const std::string& path, const Study& curves, const Study& map);
+// Throws InputError, which calls the curves `name`, where they are not over the axes of this study.
+void require_own_study(const std::string& name, const Study& study, const StoredCurves& stored);
+
+// Throws InputError where curves of this study do not lie in the plane of a map. origin: where the
+// curves were given, "--curves curves.nc".
+void require_plane(const std::string& origin, const Study& curves, const Study& map);
 
 }  // namespace gearsweep

@@ -8,6 +8,7 @@
 #include <complex>
 #include <functional>
 #include <numeric>
+#include <stdexcept>
 
 #include "orbits/returns.hpp"
 #include "result/detail/file_notes.hpp"
@@ -33,9 +34,14 @@ class OrbitDescription {
         study_(findings.study),
         model_(*findings.study.model),
         line_(orbits_of(findings)),
+        bifurcations_(bifurcations_of(findings)),
         kind_(findings.orbit.kind),
         spectrum_(kind_ == OrbitKind::equilibrium ? "eigenvalue" : "multiplier"),
-        notes_(findings.study, varied_parameters(findings)) {}
+        notes_(findings.study, varied_parameters(findings)) {
+    bifurcation_branch_.resize(bifurcations_.size(), 0.0);
+    orbit_branch_.resize(line_.orbits.size(), 0.0);
+    for (std::size_t i = 0; i < findings.leaving.size(); ++i) append_leaving(i);
+  }
 
   Dataset make(const Provenance& provenance) {
     add_notes(provenance);
@@ -52,11 +58,39 @@ class OrbitDescription {
     add_orbits("", along, orbits);
     add_errors();
     if (findings_.range) add_bifurcations();
+    if (findings_.generations > 0) add_leaving();
     out_.attributes.push_back({"coordinates", fmt::format("{}", fmt::join(coordinates_, " "))});
     return std::move(out_);
   }
 
  private:
+  // The orbits and bifurcations of a branch that leaves others, after those of the ones before it.
+  void append_leaving(std::size_t i) {
+    const LeavingBranch& leaving = findings_.leaving[i];
+    const auto number = static_cast<double>(i + 1);
+    const std::vector<BranchOrbit> orbits = orbits_of(findings_, leaving);
+    line_.orbits.insert(line_.orbits.end(), orbits.begin(), orbits.end());
+    orbit_branch_.resize(line_.orbits.size(), number);
+    origins_.push_back(number_of_origin(leaving));
+    const std::vector<LocatedBifurcation> own = bifurcations_of(leaving.branches);
+    bifurcations_.insert(bifurcations_.end(), own.begin(), own.end());
+    bifurcation_branch_.resize(bifurcations_.size(), number);
+  }
+
+  // From 1 on. Its parent stands before it.
+  double number_of_origin(const LeavingBranch& leaving) const {
+    const LocatedBifurcation& origin = leaving.origin;
+    for (std::size_t i = 0; i < bifurcations_.size(); ++i) {
+      const LocatedBifurcation& one = bifurcations_[i];
+      if (bifurcation_branch_[i] == static_cast<double>(leaving.parent) &&
+          one.kind == origin.kind && one.parameter == origin.parameter &&
+          one.orbit.state == origin.orbit.state) {
+        return static_cast<double>(i + 1);
+      }
+    }
+    throw std::logic_error("a branch leaves no bifurcation");
+  }
+
   void add_notes(const Provenance& provenance) {
     out_.attributes = {{"content", kContentOfOrbits}};
     for (Attribute& own : notes_.provenance(provenance)) out_.attributes.push_back(std::move(own));
@@ -100,13 +134,15 @@ class OrbitDescription {
 
   // A parameter with the name of something else here gives way.
   std::string name_here(const std::string& parameter) const {
-    const Names own = {"orbit",      "bifurcation",      "multiplier",      "state",
-                       "period",     "stable",           "section",         "multiplier_real",
-                       "grazing",    "multiplier_error", "section_error",   "multiplier_imag",
-                       "eigenvalue", "eigenvalue_real",  "eigenvalue_imag", "eigenvalue_error",
-                       "cycle_time", "cycle_time_error", "multiplier_along"};
+    const Names own = {"orbit",       "bifurcation",      "multiplier",       "state",
+                       "period",      "stable",           "section",          "multiplier_real",
+                       "grazing",     "multiplier_error", "section_error",    "multiplier_imag",
+                       "eigenvalue",  "eigenvalue_real",  "eigenvalue_imag",  "eigenvalue_error",
+                       "cycle_time",  "cycle_time_error", "multiplier_along", "branch",
+                       "orbit_branch"};
     const bool is_taken = std::find(own.begin(), own.end(), parameter) != own.end() ||
-                          parameter.starts_with("state_") || parameter.starts_with("bifurcation_");
+                          parameter.starts_with("state_") ||
+                          parameter.starts_with("bifurcation_") || parameter.starts_with("branch_");
     return is_taken ? "parameter_" + parameter : parameter;
   }
 
@@ -212,7 +248,7 @@ class OrbitDescription {
   }
 
   void add_bifurcations() {
-    const std::vector<LocatedBifurcation> all = bifurcations_of(findings_);
+    const std::vector<LocatedBifurcation>& all = bifurcations_;
     const ParameterInfo& followed = model_.parameters[findings_.range->parameter];
     const Names along = {"bifurcation"};
     add_count("bifurcation", all.size());
@@ -241,10 +277,47 @@ class OrbitDescription {
     add_orbits("bifurcation_", along, orbits);
   }
 
+  void add_leaving() {
+    const std::string first = "; 0: the first branch";
+    add("orbit_branch", Stored::integer, {"orbit"},
+        notes_.describe("1", "the branch that the orbit is on" + first), orbit_branch_);
+    add("bifurcation_branch", Stored::integer, {"bifurcation"},
+        notes_.describe("1", "the branch that the bifurcation is on" + first), bifurcation_branch_);
+    add_count("branch", findings_.leaving.size());
+    std::vector<double> parents, periods, counts;
+    Names ended;
+    for (std::size_t i = 0; i < findings_.leaving.size(); ++i) {
+      const LeavingBranch& leaving = findings_.leaving[i];
+      parents.push_back(static_cast<double>(leaving.parent));
+      periods.push_back(static_cast<double>(leaving.period));
+      counts.push_back(
+          static_cast<double>(std::ranges::count(orbit_branch_, static_cast<double>(i + 1))));
+      Names ways;
+      for (const Branch& branch : leaving.branches) ways.push_back(branch.ended);
+      ended.push_back(ways.empty() ? "no orbit is found beside the bifurcation"
+                                   : fmt::format("{}", fmt::join(ways, "; ")));
+    }
+    add("branch_leaves", Stored::integer, {"branch"},
+        notes_.describe("1", "the branch that it leaves" + first), parents);
+    add("branch_origin", Stored::integer, {"branch"},
+        notes_.describe("1", "number of the bifurcation at which it leaves"), origins_);
+    if (kind_ != OrbitKind::equilibrium) {
+      add("branch_period", Stored::integer, {"branch"}, notes_.describe("1", period_meaning()),
+          periods);
+    }
+    add("branch_orbits", Stored::integer, {"branch"},
+        notes_.describe("1", "how many orbits the branch has"), counts);
+    add_texts("branch_ended", "how each way of the branch ended", "branch", ended, &out_);
+  }
+
   const OrbitFindings& findings_;
   const Study& study_;
   const Model& model_;
-  const OrbitLine line_;
+  // Of the first branch, then of all that leave it, and the number of the branch that each is on.
+  OrbitLine line_;
+  std::vector<LocatedBifurcation> bifurcations_;
+  std::vector<double> orbit_branch_, bifurcation_branch_;
+  std::vector<double> origins_;  // of the branches that leave, the number of the bifurcation
   const OrbitKind kind_;
   const std::string spectrum_;  // the name of one of the numbers that decide the stability
   const FileNotes notes_;

@@ -17,7 +17,12 @@ namespace gearsweep {
 // `grazing`. With a range, along the dimension `bifurcation`, by the parameter's value:
 // `bifurcation_kind`, `bifurcation_value` of the parameter, `bifurcation_error` of that,
 // `bifurcation_grazing`, `bifurcation_born_of`, and all that an orbit has, as `bifurcation_period`.
-// The attribute `coordinates` names what are coordinates.
+// Where branches that leave others were asked for, all orbits and bifurcations stand there, branch
+// after branch: `orbit_branch` and `bifurcation_branch` say on which, 0 for the first. Along
+// `branch`, numbered from 1, stand those that leave: `branch_leaves`, the number of another one, 0
+// for the first; `branch_origin`, the number of the bifurcation where; `branch_period`,
+// `branch_orbits` (how many it has) and `branch_ended`. The attribute `coordinates` names what are
+// coordinates.
 Dataset dataset_of(const OrbitFindings& findings, const Provenance& provenance);
 
 }  // namespace gearsweep

@@ -20,15 +20,16 @@ using Along = std::tuple<std::string, double, double>;  // parameter, from, to
 // The dataset.
 py::tuple floquet(Session* session, const Study& study, const NamedValues& place,
                   const std::optional<Along>& along, std::optional<std::size_t> period,
-                  std::optional<std::size_t> steps, bool is_equilibrium, const std::string& device,
-                  const std::string& call) {
+                  std::optional<std::size_t> steps, bool is_equilibrium, std::size_t generations,
+                  const std::string& device, const std::string& call) {
   SweepOptions options = session->options_for(device);
   OrbitRequest request = {.place = find_place(study, named(place), ""),
                           .range = {},
                           .range_origin = "along",
                           .period = period,
                           .steps = steps,
-                          .is_equilibrium = is_equilibrium};
+                          .is_equilibrium = is_equilibrium,
+                          .generations = generations};
   if (along) {
     const auto& [name, from, to] = *along;
     request.range = find_range(*study.model, name, from, to, request.range_origin);
@@ -46,7 +47,7 @@ py::tuple floquet(Session* session, const Study& study, const NamedValues& place
 void add_floquet(SessionClass* session) {
   session->def("floquet", floquet, py::call_guard<Computation>(), py::arg("study"),
                py::arg("place"), py::arg("along"), py::arg("period"), py::arg("steps"),
-               py::arg("equilibrium"), py::arg("device"), py::arg("call"));
+               py::arg("equilibrium"), py::arg("generations"), py::arg("device"), py::arg("call"));
 }
 
 }  // namespace gearsweep::python

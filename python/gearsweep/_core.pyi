@@ -39,6 +39,15 @@ _Described = tuple[
     dict[str, Any],
 ]
 
+_Texts = list[tuple[str, list[str]]]
+_GivenCurves = tuple[
+    Study,
+    list[tuple[str, str]],
+    float,
+    _Texts,
+    list[tuple[str, numpy.ndarray[Any, Any]]],
+]
+
 class Exploration:
     @property
     def address(self) -> str: ...
@@ -55,6 +64,8 @@ class Session:
         device: str,
         megabytes: int,
         port: int,
+        curves_path: str,
+        curves: _GivenCurves | None,
     ) -> Exploration: ...
     def run(
         self,
@@ -99,6 +110,7 @@ class Session:
         period: int | None,
         steps: int | None,
         equilibrium: bool,
+        generations: int,
         device: str,
         call: str,
     ) -> _Described: ...

@@ -11,7 +11,7 @@ import xarray
 from gearsweep import _core
 from gearsweep._errors import InputError
 from gearsweep._frame import draw_key
-from gearsweep._place import count_of, pilot_step_of
+from gearsweep._place import count_of, number_of, pilot_step_of
 from gearsweep._result import call_text, dataset_of
 from gearsweep._session import SESSION, device_text
 from gearsweep._study_source import study_of
@@ -124,6 +124,42 @@ def _flat(values: xarray.DataArray, names: list[str]) -> list[float]:
 def is_curves(maps: xarray.Dataset) -> bool:
     """Whether the Dataset is what `gearsweep.curves` returns."""
     return maps.attrs.get("content") == _CONTENT
+
+
+def path_of_curves(curves: Any) -> str:
+    """The path of a file of curves; empty where there is none."""
+    if curves is None or isinstance(curves, xarray.Dataset):
+        return ""
+    if not isinstance(curves, str | os.PathLike):
+        raise InputError(f"curves: expected a Dataset or a file, not a {type(curves).__name__}")
+    path = path_of(curves, "a path")
+    if not os.path.exists(path) or not _core.is_netcdf(path):
+        raise InputError(f"curves: '{path}' is no file of gearsweep curves")
+    return path
+
+
+def given_curves(found: xarray.Dataset) -> _core._GivenCurves:
+    """What the core takes of a Dataset of curves; it refuses what is wrong in it."""
+    if not is_curves(found):
+        raise InputError("curves: the Dataset is not one that gearsweep.curves() returned")
+    texts: list[tuple[str, list[str]]] = []
+    numbers: list[tuple[str, numpy.ndarray[Any, Any]]] = []
+    for name, variable in found.variables.items():
+        if variable.dtype.kind in "fiub":
+            numbers.append((str(name), variable.values.astype(float)))
+        elif variable.ndim == 1:
+            texts.append((str(name), [_text(text) for text in variable.values]))
+    return (
+        study_of(found)._core,
+        [(str(name), note) for name, note in found.attrs.items() if isinstance(note, str)],
+        number_of(found.attrs.get("steps_per_period", 0), "steps_per_period"),
+        texts,
+        numbers,
+    )
+
+
+def _text(text: Any) -> str:
+    return text.decode(errors="replace") if isinstance(text, bytes) else str(text)
 
 
 def plot_curves(

@@ -11,6 +11,7 @@ from typing import Any
 import xarray
 
 from gearsweep import _core
+from gearsweep._curves import given_curves, path_of_curves
 from gearsweep._errors import InputError
 from gearsweep._named import options_by_name
 from gearsweep._place import count_of, pilot_step_of
@@ -56,6 +57,7 @@ class Exploration:
 def explore(
     study: str | os.PathLike[str] | Study | xarray.Dataset,
     *,
+    curves: str | os.PathLike[str] | xarray.Dataset | None = None,
     set: Mapping[str, Any] | None = None,
     device: int | str | None = None,
     height: int = 800,
@@ -68,6 +70,9 @@ def explore(
     ----------
     study : str, path, Study or Dataset
         As `run` takes it; axes that are missing are other parameters.
+    curves : Dataset or path, optional
+        Bifurcation curves of the same plane, drawn over the map: what `curves` returns, or a file
+        of ``gearsweep curves``.
     set : mapping of str to object, optional
         Changes of the study, as `run` takes them.
     device : int or str, optional
@@ -87,7 +92,7 @@ def explore(
     Raises
     ------
     InputError
-        The study or an option is wrong.
+        The study or an option is wrong, or the curves are of another plane.
     RunError
         The port is taken.
 
@@ -114,5 +119,7 @@ def explore(
         device=device_text(device),
         megabytes=megabytes,
         port=count_of(port, "port", 1, 65535) or 0,
+        curves_path=path_of_curves(curves),
+        curves=given_curves(curves) if isinstance(curves, xarray.Dataset) else None,
     )
     return Exploration(core, pixels)

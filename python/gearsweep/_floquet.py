@@ -27,6 +27,7 @@ def floquet(
     period: int | None = None,
     steps: int | None = None,
     equilibrium: bool = False,
+    switch: int | None = None,
     set: Mapping[str, Any] | None = None,
     device: int | str | None = None,
     **place: SupportsFloat,
@@ -58,6 +59,10 @@ def floquet(
     equilibrium : bool, optional
         Find the equilibrium that Newton's method comes to from the start, stable or not, of a model
         that nothing drives.
+    switch : int, optional
+        With `along`: follow also the branches that leave at flips and where branches cross (a
+        symmetry breaks), those that leave these, and so on, so many times; by default 0. Of models
+        that nothing drives only those that leave at flips of cycles are followed.
     set : mapping of str to object, optional
         Changes of the study, as `run` takes them.
     device : int or str, optional
@@ -84,6 +89,12 @@ def floquet(
         orbits that the branch was born of there, or 0, and what an orbit has, as
         ``bifurcation_multipliers``. ``attrs["ended"]`` says how each way ended.
 
+        With `switch`, the orbits and bifurcations of the branches that leave follow, branch after
+        branch: ``orbit_branch`` and ``bifurcation_branch`` say on which each is, 0 for the first.
+        Along the dimension ``branch``, numbered from 1, stand ``branch_leaves``, the branch that it
+        leaves, ``branch_origin``, the number of the bifurcation where, ``branch_period``,
+        ``branch_orbits``, how many it has, and ``branch_ended``.
+
     Raises
     ------
     InputError
@@ -102,7 +113,13 @@ def floquet(
     >>> branch = gs.floquet("pendulum-cascade", along=("damping", 0.745, 0.735))
     >>> branch.bifurcation_kind.values.tolist(), round(float(branch.bifurcation_value[0]), 6)
     (['flip'], 0.741173)
+    >>> tree = gs.floquet("pendulum-cascade", along=("damping", 0.745, 0.735), switch=1)
+    >>> tree.branch_period.values.tolist(), tree.branch_origin.values.tolist()
+    ([2], [1])
     """
+    generations = count_of(switch, "switch", 0, 12)
+    if generations is not None and along is None:
+        raise InputError("switch: branches leave along a parameter: give along, too")
     described = SESSION.floquet(
         study=study_of(study, set)._core,
         place=place_of(place, {} if at is None else at),
@@ -110,6 +127,7 @@ def floquet(
         period=count_of(period, "period", 1, 4096),
         steps=count_of(steps, "steps", 16, 65536),
         equilibrium=_truth(equilibrium),
+        generations=generations or 0,
         device=device_text(device),
         call=call_text(
             "floquet",
@@ -119,6 +137,7 @@ def floquet(
             period=period,
             steps=steps,
             equilibrium=equilibrium or None,
+            switch=switch,
             set=set,
             **place,
         ),

@@ -126,6 +126,47 @@ def test_a_branch_without_bifurcations_has_none():
     assert own.attrs["start_orbit"] == 1
 
 
+def part_of(tree: xarray.Dataset, number: int) -> xarray.Dataset:
+    """The orbits and bifurcations of a branch."""
+    return tree.isel(orbit=tree.orbit_branch == number).isel(
+        bifurcation=tree.bifurcation_branch == number
+    )
+
+
+def test_branches_that_leave_are_those_of_the_command(tmp_path):
+    words = ("--along", "damping=0.75:0.725", "--switch", "2", "--steps", "256")
+    told = by_command(PENDULUM, tmp_path / "pendulum.toml", *words)
+    tree = gearsweep.floquet(PENDULUM, along=("damping", 0.75, 0.725), switch=2, steps=256)
+    assert tree.sizes["branch"] == len(told["leaving"]) == 2
+    assert tree.branch_period.values.tolist() == [2, 4]
+    numbers = tree.orbit_branch.values.tolist()
+    assert numbers == sorted(numbers) and set(numbers) == {0, 1, 2}
+    for way, number in [(told, 0), *((way, way["number"]) for way in told["leaving"])]:
+        own = part_of(tree, number)
+        (branch,) = way["branches"]
+        assert own.sizes["orbit"] == len(branch["orbits"])
+        for i, orbit in enumerate(branch["orbits"]):
+            assert_same_orbit(own.isel(orbit=i), orbit)
+        assert own.damping.values.tolist() == [orbit["value"] for orbit in branch["orbits"]]
+        assert own.bifurcation_value.values.tolist() == [b["value"] for b in way["bifurcations"]]
+        for i, found in enumerate(way["bifurcations"]):
+            assert_same_orbit(own.isel(bifurcation=i), found, "bifurcation_")
+    for way in told["leaving"]:
+        own = tree.sel(branch=way["number"])
+        assert own.branch_leaves == way["leaves"]
+        assert own.branch_orbits == len(way["branches"][0]["orbits"])
+        assert own.branch_ended == way["branches"][0]["ended"]
+        origin = tree.sel(bifurcation=int(own.branch_origin))
+        assert origin.bifurcation_branch == way["leaves"]
+        assert origin.bifurcation_kind == way["origin"]["kind"] == "flip"
+        assert origin.bifurcation_value == way["origin"]["value"]
+    # The first branch stands as it does alone.
+    alone = gearsweep.floquet(PENDULUM, along=("damping", 0.75, 0.725), steps=256)
+    assert "branch" not in alone.dims
+    same = part_of(tree, 0).drop_dims("branch").drop_vars(["orbit_branch", "bifurcation_branch"])
+    xarray.testing.assert_equal(same, alone)
+
+
 def test_goes_the_way_that_is_asked_for(branch):
     name, low, high = RANGE
     back = gearsweep.floquet(PENDULUM, along=(name, high, low), **PLACE)
@@ -161,6 +202,9 @@ def test_an_orbit_inside_chaos_is_found_by_its_period():
         ({"along": RANGE, "damping": 0.5}, "damping = 0.5 is not in the range of along"),
         ({**PLACE, "period": 0}, "period: 0 is not in 1 .. 4096"),
         ({**PLACE, "steps": 3}, "steps: 3 is not in 16 .. 65536"),
+        ({**PLACE, "switch": 1}, "switch: branches leave along a parameter: give along, too"),
+        ({"along": RANGE, "switch": 13}, "switch: 13 is not in 0 .. 12"),
+        ({"along": RANGE, "switch": 0.5}, "switch: expected a whole number"),
         ({"at": [PLACE]}, "at: a point is a dict such as"),
     ],
 )
@@ -180,6 +224,13 @@ def test_a_model_that_nothing_drives_has_cycles():
     assert branch.bifurcation_kind.values.tolist() == ["flip"]
     assert float(branch.bifurcation_value[0]) == pytest.approx(2.83244502786, abs=1e-7)
     assert branch.cycle_time.dims == ("orbit",)
+    tree = gearsweep.floquet(rossler, along=("c", 2.5, 3.2), switch=1)
+    assert tree.branch_period.values.tolist() == [2]
+    doubled = tree.isel(orbit=tree.orbit_branch == 1)
+    assert (doubled.period == 2).all() and bool(doubled.stable[-1])
+    # It leaves with twice the time.
+    at_flip = float(tree.bifurcation_cycle_time[0])
+    assert float(doubled.cycle_time[0]) == pytest.approx(2 * at_flip, rel=1e-4)
 
 
 def test_a_model_that_nothing_drives_has_equilibria():

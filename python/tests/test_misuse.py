@@ -49,6 +49,7 @@ GOOD: dict[str, Mapping[str, object]] = {
         "period": None,
         "steps": 64,
         "equilibrium": False,
+        "switch": None,
         "set": MAP,
         "device": None,
         "omega": 0.7,
@@ -68,7 +69,15 @@ GOOD: dict[str, Mapping[str, object]] = {
         "device": None,
         "e0": 0.5,
     },
-    "explore": {"study": "coarse-map", "set": MAP, "device": None, "height": 400, "memory": 64, "port": None},
+    "explore": {
+        "study": "coarse-map",
+        "curves": None,
+        "set": MAP,
+        "device": None,
+        "height": 400,
+        "memory": 64,
+        "port": None,
+    },
     "tolerance": {
         "study": "[model]\npreset = 'coarse'\n[[axes]]\nname = 'omega'\nvalues = [1.0]\n"
         "[uncertain]\nmu = {distribution = 'normal', std = 0.001}\n",

@@ -55,6 +55,11 @@ def look_closer(maps: xarray.Dataset) -> bool:
     gs.trace(maps, at=[{"omega": 0.7}, {"omega": numpy.float64(0.9)}], e0=0.5)
     orbit = gs.floquet(maps, e0=0.5, along=("omega", 0.5, 0.7))
     assert_type(orbit, xarray.Dataset)
+    gs.floquet(maps, e0=0.5, along=("omega", 0.5, 0.7), switch=2)
+    page = gs.explore(maps, curves=gs.curves(maps))
+    assert_type(page.url, str)
+    page.stop()
+    gs.explore(maps, curves="curves.nc").stop()
     verification = gs.verify(progress=lambda check: print(check.figures))
     assert_type(verification.checks, tuple[gs.Check, ...])
     return verification.passed
@@ -67,4 +72,5 @@ def mistakes() -> None:
     gs.run("coarse-map", engine="opencl")  # type: ignore[call-arg]
     gs.trace("coarse-map", omega="fast")  # type: ignore[arg-type]
     gs.floquet("coarse-map", along="omega")  # type: ignore[arg-type]
+    gs.floquet("coarse-map", along=("omega", 0.5, 0.7), switch="two")  # type: ignore[arg-type]
     gs.Study.read("coarse-map").toml = "mine"  # type: ignore[misc]

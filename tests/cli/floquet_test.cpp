@@ -76,6 +76,16 @@ TEST(FloquetCommand, SwitchesToWhatLeaves) {
   EXPECT_THAT(alone.err, HasSubstr("--switch requires --along"));
 }
 
+// What leaves a cycle has twice its returns. The value is that of shooting by SciPy's DOP853.
+TEST(FloquetCommand, SwitchesToDoubledCycles) {
+  const Folder folder;
+  folder.write("rossler.toml", "[model]\nname = 'rossler'\n[[axes]]\nname = 'c'\nvalues = [2.5]\n");
+  const Outcome text = gearsweep(folder, "floquet rossler.toml --along c=2.5:3.2 --switch 1");
+  EXPECT_EQ(text.status, 0) << text.err;
+  EXPECT_THAT(text.out, HasSubstr("\nbranch 1, with 2 returns to where x is largest, leaves the "
+                                  "first at the flip at c = 2.832445"));
+}
+
 // The start of --along stands in for a value in --at; a state of --at chooses the motion, here the
 // well that it stays in.
 TEST(FloquetCommand, StartsWhereItIsTold) {

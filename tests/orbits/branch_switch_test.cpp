@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "orbits/example_orbits.hpp"
+#include "orbits/orbit_findings.hpp"
 
 namespace gearsweep::testing {
 namespace {
@@ -122,6 +123,62 @@ TEST(BranchSwitch, FollowsABranchThatComesBackOnce) {
   EXPECT_NEAR(met[1].parameter, rest.bifurcations[1].parameter, 5e-8);
 }
 
+// Cycles of Roessler's flow double their returns and their time. The values are those of shooting
+// by SciPy's DOP853 at 1e-13 and Brent's method.
+TEST(BranchSwitch, GoesThroughTheCascadeOfCycles) {
+  const Example example("rossler", {{"c", 2.5}});
+  const PeriodMap map = example.map();
+  const Eigen::VectorXd settled =
+      map.advance(Eigen::Vector3d(1.0, 1.0, 1.0), TimeSpan{500.0, 25000}).value();
+  const Orbit cycle = find_cycle(map, settled, {0.02, kSteps, {}});
+  const std::vector<LeavingBranch> leaving = leaving_of(example, cycle, "c", 2.5, 4.15, true, 2);
+  ASSERT_EQ(leaving.size(), 2U);
+  const double flips[3] = {2.83244502786, 3.83735816841, 4.12421473208};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const LeavingBranch& one = leaving[i];
+    EXPECT_EQ(one.parent, i);
+    EXPECT_EQ(one.period, std::size_t{2} << i);
+    EXPECT_EQ(one.origin.kind, Bifurcation::flip);
+    EXPECT_NEAR(one.origin.parameter, flips[i], kPublished);
+    ASSERT_EQ(one.branches.size(), 1U);
+    EXPECT_TRUE(one.branches[0].upwards);
+    const BranchOrbit& last = one.branches[0].orbits.back();
+    EXPECT_GT(last.parameter, 4.1);
+    EXPECT_EQ(last.orbit.period, one.period);
+    const std::vector<double> own = flips_of(leaving, one.period);
+    ASSERT_EQ(own.size(), 1U);
+    EXPECT_NEAR(own[0], flips[i + 1], kPublished);
+  }
+}
+
+// The cascade of Lorenz's cycles below 100.795 (V. Franceschini, Journal of Statistical Physics 22
+// (1980) 397-406), in the digits that are published; the cycle is born at a fold (C. Sparrow, The
+// Lorenz Equations, 1982).
+TEST(BranchSwitch, GoesThroughThePublishedCascadeOfLorenz) {
+  const Example example("lorenz", {{"rho", 100.2}});
+  const PeriodMap map = example.map();
+  const Eigen::VectorXd settled =
+      map.advance(Eigen::Vector3d(1.0, 1.0, 1.0), TimeSpan{200.0, 40000}).value();
+  const Orbit cycle = find_cycle(map, settled, {0.005, kFewSteps, {}});
+  const std::vector<LeavingBranch> leaving =
+      leaving_of(example, cycle, "rho", 99.54, 100.2, false, 2);
+  ASSERT_EQ(leaving.size(), 2U);
+  EXPECT_NEAR(leaving[0].origin.parameter, 99.98, 5e-3);
+  const double doublings[2] = {99.629, 99.547};
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(leaving[i].parent, i);
+    EXPECT_EQ(leaving[i].period, cycle.period << (i + 1));
+    const std::vector<double> flips = flips_of(leaving, leaving[i].period);
+    ASSERT_EQ(flips.size(), 1U);
+    EXPECT_NEAR(flips[0], doublings[i], 5e-4);
+  }
+  EXPECT_EQ(leaving[1].origin.parameter, flips_of(leaving, leaving[0].period)[0]);
+  const Branch up = example.follow(cycle, "rho", 100.0, 101.0, true, kFewSteps);
+  ASSERT_FALSE(up.bifurcations.empty());
+  EXPECT_EQ(up.bifurcations[0].kind, Bifurcation::fold);
+  EXPECT_NEAR(up.bifurcations[0].parameter, 100.795, 5e-4);
+}
+
 // A linear motion doubles its period at one value of the parameter, whatever its size: no direction
 // leads away, and none is made up.
 TEST(BranchSwitch, FindsNoBranchOfALinearMotion) {
@@ -133,6 +190,29 @@ TEST(BranchSwitch, FindsNoBranchOfALinearMotion) {
     EXPECT_EQ(one.origin.kind, Bifurcation::flip);
     EXPECT_TRUE(one.branches.empty());
   }
+}
+
+// Both ways of a branch that leaves stand in one line, from the range's beginning to its end.
+TEST(BranchSwitch, OrbitsOfBothWaysStandInOneLine) {
+  const auto way = [](bool upwards, const std::vector<double>& values) {
+    Branch branch;
+    branch.upwards = upwards;
+    for (const double value : values) branch.orbits.push_back({value, {}});
+    return branch;
+  };
+  LeavingBranch leaving;
+  leaving.branches = {way(true, {0.1, 0.3}), way(false, {-0.1, -0.2})};
+  OrbitFindings findings;
+  const auto values_from = [&](double from, double to) {
+    findings.range = FollowedRange{0, from, to};
+    std::vector<double> values;
+    for (const BranchOrbit& member : orbits_of(findings, leaving)) {
+      values.push_back(member.parameter);
+    }
+    return values;
+  };
+  EXPECT_EQ(values_from(-0.5, 0.5), (std::vector<double>{-0.2, -0.1, 0.1, 0.3}));
+  EXPECT_EQ(values_from(0.5, -0.5), (std::vector<double>{0.3, 0.1, -0.1, -0.2}));
 }
 
 }  // namespace

@@ -107,6 +107,15 @@ TEST(Cycles, AreFoundInsideChaos) {
   EXPECT_NEAR(inside.multipliers[0].real(), -2.40395353, 1e-6);
 }
 
+// The shortest cycle inside Lorenz's attractor (D. Viswanath, Nonlinearity 16 (2003) 1035-1056).
+TEST(Cycles, InsideLorenzAttractorAreThePublishedOnes) {
+  const Example example("lorenz", {{"rho", 28.0}});
+  const Eigen::Vector3d near(-13.763610682134, -19.578751942452, 27.0);
+  const Orbit cycle = find_cycle(example.map(2048), near, {0.005, 2048, 1});
+  EXPECT_NEAR(cycle.duration, 1.5586522107162, 1e-8);
+  EXPECT_EQ(cycle.unstable_count(), 1U);
+}
+
 TEST(Cycles, DoubleWhereAMultiplierIsMinusOne) {
   const Example example("rossler", {{"c", 2.7}});
   const Branch branch = example.follow(cycle_of(example, 500.0), "c", 2.4, 3.4, true);
@@ -121,6 +130,11 @@ TEST(Cycles, DoubleWhereAMultiplierIsMinusOne) {
   EXPECT_EQ(back.bifurcations[0].kind, Bifurcation::flip);
   EXPECT_EQ(back.bifurcations[0].born_of, 1U);
   EXPECT_NEAR(back.bifurcations[0].parameter, 2.83244502786, 1e-6);
+  // In steps of a wide range the doubled cycle and the single one are near each other there.
+  const Example far("rossler", {{"c", 3.5}});
+  const Branch wide = far.follow(cycle_of(far, 500.0), "c", 2.6, 6.0, false);
+  ASSERT_EQ(wide.bifurcations.size(), 1U);
+  EXPECT_NEAR(wide.bifurcations[0].parameter, 2.83244502786, 1e-6);
 }
 
 // The eigenvalues of the Brusselator's rest at (a, b/a) have the real part (b - 1 - a^2)/2. Over a

@@ -161,14 +161,18 @@ std::string describe_branch(const OrbitFindings& findings, const std::vector<Bra
 std::string describe_leaving(const OrbitFindings& findings, std::size_t number) {
   const LeavingBranch& leaving = findings.leaving[number - 1];
   const OrbitKind kind = findings.orbit.kind;
-  return fmt::format(
-      "branch {}{} leaves {} at the {} at {} = {}\n{}", number,
-      kind == OrbitKind::forced ? fmt::format(", of period {},", leaving.period) : "",
-      leaving.parent == 0 ? "the first" : fmt::format("branch {}", leaving.parent),
-      name_of(leaving.origin.kind, kind),
-      findings.study.model->parameters[findings.range->parameter].name, value_text(leaving.origin),
-      leaving.branches.empty() ? "  no orbit is found beside it\n"
-                               : describe_branch(findings, leaving.branches));
+  const std::string length =
+      kind == OrbitKind::forced ? fmt::format(", of period {},", leaving.period)
+      : kind == OrbitKind::cycle
+          ? fmt::format(", with {},", describe_returns(*findings.study.model, leaving.period))
+          : "";
+  return fmt::format("branch {}{} leaves {} at the {} at {} = {}\n{}", number, length,
+                     leaving.parent == 0 ? "the first" : fmt::format("branch {}", leaving.parent),
+                     name_of(leaving.origin.kind, kind),
+                     findings.study.model->parameters[findings.range->parameter].name,
+                     value_text(leaving.origin),
+                     leaving.branches.empty() ? "  no orbit is found beside it\n"
+                                              : describe_branch(findings, leaving.branches));
 }
 
 std::string describe_branches(const OrbitFindings& findings) {

@@ -17,7 +17,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using std::complex;
 
-constexpr double kBracket = 1e-6;        // arclength around a bifurcation
+constexpr double kBracket = 1e-6;  // arclength around a bifurcation
+constexpr double kNarrower = 0.9;  // a bracket after each step; else its ends are of two branches
 constexpr double kLineRounding = 1e-11;  // of the range: what the straight line leaves
 constexpr double kGrazing = 10.0;        // brackets: so near to a limit the motion may touch or not
 constexpr double kNearby = 0.1;          // of the range, from a small cycle to its birth
@@ -149,10 +150,18 @@ std::optional<Bracket> locate(const Follower& follower, const Follower& coarser,
   Bracket bracket{a, b};
   const VectorXd direction = (b.z - a.z).normalized();
   while ((bracket.high.z - bracket.low.z).norm() > kBracket) {
-    const VectorXd middle = 0.5 * (bracket.low.z + bracket.high.z);
-    std::optional<BranchPoint> next = follower.correct(middle, direction);
+    // In the middle may be where branches cross: Newton's method comes to nothing, or to the branch
+    // that this one was born of. Beside it then.
+    const double width = (bracket.high.z - bracket.low.z).norm();
+    std::optional<BranchPoint> next;
+    for (const double share : {0.5, 0.4, 0.6}) {
+      next = follower.correct(bracket.low.z + share * (bracket.high.z - bracket.low.z), direction);
+      if (next && test == turning && follower.half_return(*next) < kHalved) next.reset();
+      if (next) break;
+    }
     if (!next) return std::nullopt;
     (changes(test, bracket.low, *next) ? bracket.high : bracket.low) = *std::move(next);
+    if ((bracket.high.z - bracket.low.z).norm() > kNarrower * width) return std::nullopt;
   }
   bracket.parameter = zero_parameter(follower, test, bracket.low, bracket.high);
   estimate_error(coarser, test, &bracket);

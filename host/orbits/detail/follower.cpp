@@ -37,7 +37,7 @@ Follower::Follower(const FollowRequest& request, const Orbit& start, std::size_t
       sizes_(start.sizes),
       widest_(start.sizes),
       states_{start.state, start.state} {
-  if (start.kind != OrbitKind::forced) sizes_ = sizes_along(start);
+  if (start.kind != OrbitKind::forced && !request.is_at_bifurcation) sizes_ = sizes_along(start);
 }
 
 VectorXd Follower::sizes_along(const Orbit& start) const {

@@ -17,6 +17,8 @@ struct BranchPoint {
   int iterations = 0;
 };
 
+inline constexpr double kHalved = 1e-9;  // half_return() of an orbit of half the period
+
 class Follower {
  public:
   // Shooting takes its steps, divided by `coarseness`.

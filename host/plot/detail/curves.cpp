@@ -40,7 +40,7 @@ void add_curves(const std::string& path, const std::string& map_path, Picture* p
         fmt::format("--curves {}: its curves are over {} and {}, the map is over {} and {}", path,
                     stored.x, stored.y, axes[0].name, axes[1].name));
   }
-  require_plane(path, read_border_study(path, stored), read_result_study(map_path));
+  require_plane("--curves " + path, read_border_study(path, stored), read_result_study(map_path));
   const std::vector<ResultAxis> own = ResultFile(map_path).axes();
   const double x = scale_of(axes[0], own[0]), y = scale_of(axes[1], own[1]);
   std::vector<MapLine> lines;
