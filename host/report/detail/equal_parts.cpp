@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "report/detail/html.hpp"
 #include "report/detail/names.hpp"
 #include "report/detail/words.hpp"
 

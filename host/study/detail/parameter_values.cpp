@@ -53,7 +53,7 @@ void read_guesses(const toml::table& parameters, const toml::node& node, Study* 
     if (index < 0) fail_at(name, fmt::format("{}, and '{}' is none", right, text));
     if (!parameters.contains(text)) continue;
     std::string& origin = study->parameter_origins[static_cast<std::size_t>(index)];
-    origin = std::string(kEstimatedOrigin) + ", " + origin;
+    origin = fmt::format("{}, {}", kEstimatedOrigin, origin);
   }
 }
 
