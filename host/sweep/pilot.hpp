@@ -9,8 +9,8 @@
 // They show when the step is halved several times: their errors do not shrink, as those of all
 // other points do, be it slowly. As many points more may be off.
 //
-// Where exponents of orbits alone need shorter steps, the run keeps those of all other maps, and the
-// orbits that points stop on take a quarter of them (Integrate::orbit_steps): other motion has
+// Where exponents of orbits alone need shorter steps, the run keeps those of all other maps, and
+// the orbits that points stop on take a quarter of them (Integrate::orbit_steps): other motion has
 // exponents with statistical errors, which short steps do not make smaller.
 //
 // All this is relative to the maps' ranges and to the model's own step, so neither units nor

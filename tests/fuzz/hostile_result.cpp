@@ -173,10 +173,9 @@ class Choices {
     return choice < kNames.size() ? kNames[choice] : text();
   }
   std::string attribute() {
-    constexpr std::array kNames = {"units",         "long_name",     "scale", "flag_values",
-                                   "flag_meanings", "_FillValue",    "study", "title",
-                                   "content",       "pilot_max_step",
-                                   "pilot_orbit_steps"};
+    constexpr std::array kNames = {
+        "units", "long_name", "scale",   "flag_values",    "flag_meanings",    "_FillValue",
+        "study", "title",     "content", "pilot_max_step", "pilot_orbit_steps"};
     return kNames[below(kNames.size())];
   }
 
