@@ -164,7 +164,7 @@ def test_says_what_made_it():
         ({**POINTS[0], "record": 1.5}, "record: expected a whole number, not 1.5"),
         ({**POINTS[0], "samples_per_period": 0}, "samples_per_period: 0 is not in 1 .. 1048576"),
         ({**POINTS[0], "device": 99}, "99"),
-        ({**POINTS[0], "set": {"integrate.tolerance": 1e-4}}, "trace a point of the finished map"),
+        ({**POINTS[0], "set": {"integrate.tolerance": 1e-4}}, "give the finished map"),
     ],
 )
 def test_wrong_places_are_refused(call, said):
