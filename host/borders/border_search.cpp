@@ -94,19 +94,13 @@ class BorderSearch {
       tell(fmt::format("{} curves, those that graze included", known_.size()));
     }
     tell(fmt::format("{} pairs of pixels without a curve are looked at", edges() - explained()));
-    const CurveBeyond has_curve_beyond = [&](const MapBorder& border, const BorderEdge& edge) {
-      const PixelPlace middle = middle_of(pixels_, edge);
-      for (std::size_t i = 0; i < known_.curves().size(); ++i) {
-        if (may_explain(known_.curves()[i], border) &&
-            known_.lines()[i].distance_to(middle, true) <= kBeyondPixel) {
-          return true;
-        }
-      }
-      return false;
-    };
     take_reasons(record_->numbers({SearchStage::reasons, 0}, [&] {
-      explain_without_curves(plane_, pixels_, device_.get(), settled_.get(), has_curve_beyond,
-                             &borders_);
+      explain_without_curves(
+          plane_, pixels_, device_.get(), settled_.get(),
+          [this](const MapBorder& border, const BorderEdge& edge) {
+            return has_curve_beyond(border, edge);
+          },
+          &borders_);
       return reasons();
     }));
     BorderFindings out;
@@ -134,6 +128,18 @@ class BorderSearch {
   bool may_graze() const {
     const Model& model = plane_.model->full();
     return !model.contacts.empty() || model.corners > 0 || !model.surfaces.empty();
+  }
+
+  // Whether a curve that may explain a border passes its pixels nearby.
+  bool has_curve_beyond(const MapBorder& border, const BorderEdge& edge) const {
+    const PixelPlace middle = middle_of(pixels_, edge);
+    for (std::size_t i = 0; i < known_.curves().size(); ++i) {
+      if (may_explain(known_.curves()[i], border) &&
+          known_.lines()[i].distance_to(middle, true) <= kBeyondPixel) {
+        return true;
+      }
+    }
+    return false;
   }
 
   void tell(const std::string& line) const {

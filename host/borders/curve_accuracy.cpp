@@ -133,12 +133,18 @@ void find_step_errors(const CurveJudge& judge, std::vector<BorderCurve>* curves)
   }
 }
 
-void find_gradients(const CurveJudge& judge, std::vector<BorderCurve>* curves) {
+namespace {
+
+// [curve] the slope of its equations at its middle point, which is judged; nothing where it has
+// none.
+using Slopes = std::vector<std::optional<MatrixXd>>;
+
+Slopes slopes_at_middle(const CurveJudge& judge, OrbitMap* of_device,
+                        std::vector<BorderCurve>* curves) {
   const std::size_t count = curves->size();
-  DeviceOrbitMap device(judge.study, judge.engine, judge.stop);
-  JoinedOrbitMap joined(&device);
+  JoinedOrbitMap joined(of_device);
   HostOrbitMap host(judge.plane, host_steps(*judge.study), judge.stop);
-  std::vector<std::optional<MatrixXd>> slopes(count);
+  Slopes slopes(count);
   for (const bool on_host : {false, true}) {
     OrbitMap* const map = on_host ? static_cast<OrbitMap*>(&host) : &joined;
     for_each_on_threads(count, on_host ? nullptr : &joined, [&](std::size_t i) {
@@ -150,37 +156,49 @@ void find_gradients(const CurveJudge& judge, std::vector<BorderCurve>* curves) {
       curve.gradients.assign(judge.plane.model->parameters.size(), none);
     });
   }
-  // The residual of each curve at its point, with these values of all parameters.
-  const auto residuals = [&](const ParameterPlane& plane, OrbitMap* of_device) {
-    std::vector<std::optional<VectorXd>> out(count);
-    HostOrbitMap of_host(plane, host_steps(*judge.study), judge.stop);
-    std::vector<OrbitQuery> queries;
-    std::vector<std::size_t> owners;
-    for (std::size_t i = 0; i < count; ++i) {
-      const BorderCurve& curve = (*curves)[i];
-      if (!slopes[i] || is_of_host(curve)) continue;
-      queries.push_back(equations_of(plane, curve, nullptr).query_of(curve.points[curve.judged]));
-      owners.push_back(i);
-    }
-    std::vector<std::optional<OrbitAnswer>> answers;
-    if (!queries.empty()) answers = of_device->answer(queries);
-    for (std::size_t k = 0; k < owners.size(); ++k) {
-      const BorderCurve& curve = (*curves)[owners[k]];
-      if (!answers[k]) continue;
-      out[owners[k]] =
-          equations_of(plane, curve, nullptr).residual_of(curve.points[curve.judged], *answers[k]);
-    }
-    for_each_on_threads(count, nullptr, [&](std::size_t i) {
-      const BorderCurve& curve = (*curves)[i];
-      if (!slopes[i] || !is_of_host(curve)) return;
-      const BorderEquations equations = equations_of(plane, curve, nullptr);
-      const BorderPoint& point = curve.points[curve.judged];
-      const auto answer = of_host.answer({equations.query_of(point)}).front();
-      if (answer) out[i] = equations.residual_of(point, *answer);
-    });
-    return out;
-  };
-  const auto before = residuals(judge.plane, &device);
+  return slopes;
+}
+
+// The residual of each curve at its point, with these values of all parameters.
+std::vector<std::optional<VectorXd>> residuals_at(const CurveJudge& judge,
+                                                  const ParameterPlane& plane,
+                                                  const std::vector<BorderCurve>& curves,
+                                                  const Slopes& slopes, OrbitMap* of_device) {
+  std::vector<std::optional<VectorXd>> out(curves.size());
+  HostOrbitMap of_host(plane, host_steps(*judge.study), judge.stop);
+  std::vector<OrbitQuery> queries;
+  std::vector<std::size_t> owners;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const BorderCurve& curve = curves[i];
+    if (!slopes[i] || is_of_host(curve)) continue;
+    queries.push_back(equations_of(plane, curve, nullptr).query_of(curve.points[curve.judged]));
+    owners.push_back(i);
+  }
+  std::vector<std::optional<OrbitAnswer>> answers;
+  if (!queries.empty()) answers = of_device->answer(queries);
+  for (std::size_t k = 0; k < owners.size(); ++k) {
+    const BorderCurve& curve = curves[owners[k]];
+    if (!answers[k]) continue;
+    out[owners[k]] =
+        equations_of(plane, curve, nullptr).residual_of(curve.points[curve.judged], *answers[k]);
+  }
+  for_each_on_threads(curves.size(), nullptr, [&](std::size_t i) {
+    const BorderCurve& curve = curves[i];
+    if (!slopes[i] || !is_of_host(curve)) return;
+    const BorderEquations equations = equations_of(plane, curve, nullptr);
+    const BorderPoint& point = curve.points[curve.judged];
+    const auto answer = of_host.answer({equations.query_of(point)}).front();
+    if (answer) out[i] = equations.residual_of(point, *answer);
+  });
+  return out;
+}
+
+}  // namespace
+
+void find_gradients(const CurveJudge& judge, std::vector<BorderCurve>* curves) {
+  DeviceOrbitMap device(judge.study, judge.engine, judge.stop);
+  const Slopes slopes = slopes_at_middle(judge, &device, curves);
+  const auto before = residuals_at(judge, judge.plane, *curves, slopes, &device);
   for (const Change& change : changes_of(judge)) {
     ParameterPlane plane = judge.plane;
     Study changed = *judge.study;
@@ -192,11 +210,11 @@ void find_gradients(const CurveJudge& judge, std::vector<BorderCurve>* curves) {
     DeviceOrbitMap map(std::make_shared<const Study>(std::move(changed)), judge.engine, judge.stop);
     std::vector<std::optional<VectorXd>> behind;
     try {
-      behind = residuals(plane, &map);
+      behind = residuals_at(judge, plane, *curves, slopes, &map);
     } catch (const InputError&) {
       continue;  // the model does not take a value so near to its own, or finds no phase grid
     }
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < curves->size(); ++i) {
       if (!before[i] || !behind[i]) continue;
       BorderCurve& curve = (*curves)[i];
       PlanePlace way =

@@ -40,6 +40,51 @@ std::size_t ExplainedBorder::count(EdgeReason reason) const {
   return static_cast<std::size_t>(std::ranges::count(reasons, reason));
 }
 
+namespace {
+
+// Carries each orbit on by a part of its way. is_beyond: all have come to their other pixels.
+void carry_on(const ParameterPlane& plane, OrbitMap* map, const CurveBeyond& has_curve_beyond,
+              bool is_beyond, std::vector<Carried>* under_way) {
+  std::vector<HeldOrbit> guesses;
+  for (const Carried& carried : *under_way) {
+    guesses.push_back(carried.at);
+    guesses.back().state += carried.change;
+    for (std::size_t k = 0; k < 2; ++k) guesses.back().place[k] += carried.step[k];
+  }
+  const auto found = hold_orbits(plane, map, guesses, kNextReach);
+  std::vector<Carried> left;
+  std::vector<HeldOrbit> orbits;
+  // It has come to the other pixel, and ends behind it where a curve tells why.
+  const auto end = [&](const Carried& carried) {
+    if (is_beyond && has_curve_beyond(*carried.border, *carried.edge)) {
+      *carried.reason = EdgeReason::basin;
+    }
+  };
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (!found[i] || !found[i]->is_stable()) {
+      end((*under_way)[i]);
+      continue;
+    }
+    Carried carried = (*under_way)[i];
+    carried.change = found[i]->state - carried.at.state;
+    carried.at = *found[i];
+    orbits.push_back(carried.at);
+    left.push_back(std::move(carried));
+  }
+  // Beyond a flip Newton's method comes to the orbit of half the period, twice around.
+  const std::vector<bool> is_shorter = return_sooner(plane, map, orbits);
+  under_way->clear();
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    if (is_shorter[i]) {
+      end(left[i]);
+    } else {
+      under_way->push_back(std::move(left[i]));
+    }
+  }
+}
+
+}  // namespace
+
 void explain_without_curves(const ParameterPlane& plane, const PeriodPixels& pixels, OrbitMap* map,
                             SettledPixels* settled, const CurveBeyond& has_curve_beyond,
                             std::vector<ExplainedBorder>* borders) {
@@ -69,42 +114,7 @@ void explain_without_curves(const ParameterPlane& plane, const PeriodPixels& pix
     under_way.push_back(std::move(carried));
   });
   for (int part = 0; part < 2 * kPartsOfWay && !under_way.empty(); ++part) {
-    std::vector<HeldOrbit> guesses;
-    for (const Carried& carried : under_way) {
-      guesses.push_back(carried.at);
-      guesses.back().state += carried.change;
-      for (std::size_t k = 0; k < 2; ++k) guesses.back().place[k] += carried.step[k];
-    }
-    const auto found = hold_orbits(plane, map, guesses, kNextReach);
-    std::vector<Carried> left;
-    std::vector<HeldOrbit> orbits;
-    // It has come to the other pixel, and ends behind it where a curve tells why.
-    const auto end = [&](const Carried& carried) {
-      if (part >= kPartsOfWay && has_curve_beyond(*carried.border, *carried.edge)) {
-        *carried.reason = EdgeReason::basin;
-      }
-    };
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      if (!found[i] || !found[i]->is_stable()) {
-        end(under_way[i]);
-        continue;
-      }
-      Carried carried = under_way[i];
-      carried.change = found[i]->state - carried.at.state;
-      carried.at = *found[i];
-      orbits.push_back(carried.at);
-      left.push_back(std::move(carried));
-    }
-    // Beyond a flip Newton's method comes to the orbit of half the period, twice around.
-    const std::vector<bool> is_shorter = return_sooner(plane, map, orbits);
-    under_way.clear();
-    for (std::size_t i = 0; i < left.size(); ++i) {
-      if (is_shorter[i]) {
-        end(left[i]);
-      } else {
-        under_way.push_back(std::move(left[i]));
-      }
-    }
+    carry_on(plane, map, has_curve_beyond, part >= kPartsOfWay, &under_way);
   }
   for (const Carried& carried : under_way) *carried.reason = EdgeReason::basin;
 }

@@ -123,38 +123,12 @@ std::string describe_gradients(const BorderFindings& findings) {
   return out;
 }
 
-std::string describe_curves(const BorderFindings& findings) {
-  std::string out;
-  const Study& study = findings.study;
-  const std::string &x = study.axes[0].name, &y = study.axes[1].name;
-  double residual = 0.0, step_error = 0.0;
-  for (const BorderCurve& curve : findings.curves) {
-    residual = std::max(residual, curve.max_residual());
-    if (curve.step_error > step_error) step_error = curve.step_error;
-    const std::string touches = curve.kind == BorderKind::grazing
-                                    ? fmt::format(" ({})", describe(*study.model, curve.limit))
-                                    : "";
-    const PlanePlace &first = curve.points.front().place, &last = curve.points.back().place;
-    out += fmt::format(
-        "{} of period {}{}: {} points, {} = {:.6g}, {} = {:.6g} ({}) to {:.6g}, {:.6g} ({})\n",
-        name_of(curve.kind), curve.period, touches, curve.points.size(), x, first[0], y, first[1],
-        name_of(curve.begins), last[0], last[1], name_of(curve.ends));
-    for (const SpecialPoint& special : curve.special) {
-      out += fmt::format("    {} near {} = {:.5g}, {} = {:.5g}\n", name_of(special.kind), x,
-                         special.place[0], y, special.place[1]);
-    }
-  }
-  if (!findings.curves.empty()) {
-    out += fmt::format(
-        "{} curves; residuals of at most {:.1g} of the states' sizes, with {} steps "
-        "a period; with twice as many curves move by at most {:.1g} pixels{}\n",
-        findings.curves.size(), residual, findings.steps, step_error, unknown_steps(findings));
-    out += describe_gradients(findings);
-  }
+// What parts the pixels of the map.
+std::string describe_borders(const BorderFindings& findings) {
   std::size_t pairs = 0;
   std::array<std::size_t, kEdgeReasons> counts{};
-  if (findings.borders.empty()) return out + "no border of the map has as many pairs of pixels\n";
-  out += "borders of the map, in pairs of pixels:\n";
+  if (findings.borders.empty()) return "no border of the map has as many pairs of pixels\n";
+  std::string out = "borders of the map, in pairs of pixels:\n";
   for (const ExplainedBorder& border : findings.borders) {
     out += fmt::format("  {} | {}: {}", label_of(border.border.labels[0]),
                        label_of(border.border.labels[1]), border.reasons.size());
@@ -187,6 +161,37 @@ std::string describe_curves(const BorderFindings& findings) {
             static_cast<double>(findings.contacts.pairs));
   }
   return out;
+}
+
+std::string describe_curves(const BorderFindings& findings) {
+  std::string out;
+  const Study& study = findings.study;
+  const std::string &x = study.axes[0].name, &y = study.axes[1].name;
+  double residual = 0.0, step_error = 0.0;
+  for (const BorderCurve& curve : findings.curves) {
+    residual = std::max(residual, curve.max_residual());
+    if (curve.step_error > step_error) step_error = curve.step_error;
+    const std::string touches = curve.kind == BorderKind::grazing
+                                    ? fmt::format(" ({})", describe(*study.model, curve.limit))
+                                    : "";
+    const PlanePlace &first = curve.points.front().place, &last = curve.points.back().place;
+    out += fmt::format(
+        "{} of period {}{}: {} points, {} = {:.6g}, {} = {:.6g} ({}) to {:.6g}, {:.6g} ({})\n",
+        name_of(curve.kind), curve.period, touches, curve.points.size(), x, first[0], y, first[1],
+        name_of(curve.begins), last[0], last[1], name_of(curve.ends));
+    for (const SpecialPoint& special : curve.special) {
+      out += fmt::format("    {} near {} = {:.5g}, {} = {:.5g}\n", name_of(special.kind), x,
+                         special.place[0], y, special.place[1]);
+    }
+  }
+  if (!findings.curves.empty()) {
+    out += fmt::format(
+        "{} curves; residuals of at most {:.1g} of the states' sizes, with {} steps "
+        "a period; with twice as many curves move by at most {:.1g} pixels{}\n",
+        findings.curves.size(), residual, findings.steps, step_error, unknown_steps(findings));
+    out += describe_gradients(findings);
+  }
+  return out + describe_borders(findings);
 }
 
 void warn_of_steps(const BorderFindings& findings) {

@@ -61,17 +61,7 @@ OrbitFindings compute(const FloquetArguments& arguments) {
   return *find_point_orbit(whole, request, options);
 }
 
-}  // namespace
-
-void add_floquet_command(CLI::App* app) {
-  CLI::App* command = app->add_subcommand(
-      "floquet", "The orbit or the equilibrium at a point, its multipliers, and its bifurcations");
-  const auto arguments = std::make_shared<FloquetArguments>();
-  add_study_argument(command, &arguments->study);
-  add_point_option(command, &arguments->at,
-                   "Where to look: a value for each axis of the study, and for other parameters; "
-                   "taken as it is, also between the points of a map")
-      ->delimiter(',');
+void add_follow_options(CLI::App* command, FloquetArguments* arguments) {
   CLI::Option* const along =
       command
           ->add_option("--along", arguments->along,
@@ -85,6 +75,20 @@ void add_floquet_command(CLI::App* app) {
       ->type_name(kNumberValue)
       ->check(whole_number(0, 12))
       ->needs(along);
+}
+
+}  // namespace
+
+void add_floquet_command(CLI::App* app) {
+  CLI::App* command = app->add_subcommand(
+      "floquet", "The orbit or the equilibrium at a point, its multipliers, and its bifurcations");
+  const auto arguments = std::make_shared<FloquetArguments>();
+  add_study_argument(command, &arguments->study);
+  add_point_option(command, &arguments->at,
+                   "Where to look: a value for each axis of the study, and for other parameters; "
+                   "taken as it is, also between the points of a map")
+      ->delimiter(',');
+  add_follow_options(command, arguments.get());
   command
       ->add_option("--period", arguments->period,
                    "The orbit's length in forcing periods; where nothing drives the model, in "

@@ -157,11 +157,8 @@ std::string scene_message(const Explorer& explorer, const Scene& scene) {
                {"step",
                 study.integrate.steps_per_period > 0
                     ? fmt::format("{} steps in each period", study.integrate.steps_per_period)
-                    : fmt::format(
-                          "steps of at most {:.6g}{}", study.integrate.max_step,
-                          study.integrate.orbit_steps > 1
-                              ? fmt::format(", 1/{} of that on orbits", study.integrate.orbit_steps)
-                              : "")},
+                    : fmt::format("steps of at most {:.6g}{}", study.integrate.max_step,
+                                  FoundStep::of(study).words_of_orbits())},
                {"notices", study.notices},
                {"command", explorer.is_model() ? json(nullptr)
                                                : json("gearsweep run " + explorer.source() +

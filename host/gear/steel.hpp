@@ -1,3 +1,4 @@
+// The material of gears whose drawing names none.
 #pragma once
 
 namespace gearsweep {

@@ -14,7 +14,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr std::size_t kMaxLeaving = 64;  // branches: what has more has one for each of many folds
 // Of the critical multiplier: where a bifurcation was bracketed it is as near.
 constexpr double kAtBorder = 1e-2;
 constexpr double kBesideLanding = 0.5;  // correction of states, as a share of the way to the side
@@ -166,10 +165,10 @@ std::vector<LeavingBranch> follow_leaving(const FollowRequest& request,
     }
   };
   std::size_t first = 0;
-  for (std::size_t generation = 0; generation < generations; ++generation) {
+  if (generations > 0) add_leaving(0, branches);
+  for (std::size_t generation = 1; generation < generations; ++generation) {
     const std::size_t end = found.size();
-    if (generation == 0) add_leaving(0, branches);
-    for (std::size_t i = first; generation > 0 && i < end; ++i) {
+    for (std::size_t i = first; i < end; ++i) {
       const std::vector<Branch> own = found[i].branches;
       add_leaving(i + 1, own);
     }

@@ -28,6 +28,9 @@ bool has_leaving_branch(const LocatedBifurcation& at);
 std::vector<BranchStart> leaving_branches(const FollowRequest& request,
                                           const LocatedBifurcation& at);
 
+// So many are followed at most: what has more has one for each of many folds.
+inline constexpr std::size_t kMaxLeaving = 64;
+
 struct LeavingBranch {
   std::size_t parent = 0;  // the number of the branch that it leaves, from 1 on; 0: the first one
   LocatedBifurcation origin;
@@ -35,8 +38,9 @@ struct LeavingBranch {
   std::vector<Branch> branches;  // in each direction in which it goes; none: no orbit was found
 };
 
-// Follows what leaves these branches, and what leaves that, so many generations deep. A branch that
-// comes back to one that was followed is followed once. each_orbit of the request is told of all.
+// Follows what leaves these branches, and what leaves that, so many generations deep, kMaxLeaving
+// in all. A branch that comes back to one that was followed is followed once. each_orbit of the
+// request is told of all.
 std::vector<LeavingBranch> follow_leaving(const FollowRequest& request,
                                           const std::vector<Branch>& branches,
                                           std::size_t generations);

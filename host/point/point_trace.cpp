@@ -93,8 +93,7 @@ Study with_windows(const Study& study, const TraceWindows& windows) {
   if (overrides.empty()) return study;
   Study changed = read_draft(study.toml, "study", overrides);
   // The step may be that of a map, which the text does not have.
-  changed.integrate.max_step = study.integrate.max_step;
-  changed.integrate.orbit_steps = study.integrate.orbit_steps;
+  FoundStep::of(study).give_to(&changed);
   changed.integrate.tolerance = study.integrate.tolerance;
   return changed;
 }

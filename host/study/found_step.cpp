@@ -8,6 +8,10 @@ FoundStep FoundStep::of(const Study& study) {
   return {study.integrate.max_step, study.integrate.orbit_steps};
 }
 
+std::string FoundStep::words_of_orbits() const {
+  return orbit_steps > 1 ? fmt::format(", 1/{} of that on orbits", orbit_steps) : "";
+}
+
 void FoundStep::give_to(Study* study) const {
   study->integrate.max_step = max_step;
   study->integrate.orbit_steps = study->selection.census ? 1 : orbit_steps;

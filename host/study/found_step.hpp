@@ -15,6 +15,8 @@ struct FoundStep {
   std::size_t orbit_steps = 1;  // as of Integrate
 
   static FoundStep of(const Study& study);
+  // ", 1/4 of that on orbits", behind the longest step; empty where those have the same.
+  std::string words_of_orbits() const;
   // Where attractors are told apart, by where motions are, all motions have the same steps.
   void give_to(Study* study) const;
   // KEY=VALUE, for a study that is read and shall not search again.

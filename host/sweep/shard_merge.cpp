@@ -78,8 +78,9 @@ class ShardJournals {
       throw InputError(fmt::format("'{}': nothing of this shard is finished", path));
     }
     Study study = read_study(note(first_, notes::kStudy), path, {}, {}, {}, NamedFiles::refused);
-    study.integrate.max_step = read_step(note(first_, notes::kStep));
-    study.integrate.orbit_steps = read_count(note(first_, notes::kOrbitSteps), 1);
+    FoundStep{read_step(note(first_, notes::kStep)),
+              read_count(note(first_, notes::kOrbitSteps), 1)}
+        .give_to(&study);
     return study;
   }
 

@@ -184,6 +184,10 @@ std::string describe_branches(const OrbitFindings& findings) {
   for (std::size_t number = 1; number <= findings.leaving.size(); ++number) {
     text += describe_leaving(findings, number);
   }
+  if (findings.leaving.size() == kMaxLeaving) {
+    text += fmt::format("no more than {} branches are followed; a shorter range has fewer\n",
+                        kMaxLeaving);
+  }
   return text;
 }
 

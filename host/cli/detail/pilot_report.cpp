@@ -12,14 +12,12 @@ namespace {
 std::string describe_pilot(const PilotFindings& pilot) {
   const std::string found =
       pilot.sensitive > 0.0 ? fmt::format("{:.1f} % land", 100.0 * pilot.sensitive) : "none lands";
-  const std::size_t parts = pilot.step.orbit_steps;
-  const std::string on_orbits = parts > 1 ? fmt::format(", 1/{} of that on orbits", parts) : "";
   return fmt::format(
       "at most {:.4g}{}: maps keep the tolerance at {:.1f} % or more of the periodic points (95 % "
       "confidence, {} judged), and {:.1g} of their range at 99 % of those judged; {} elsewhere at "
       "any change of the step, up to {:.1f} % of all may\n",
-      pilot.step.max_step, on_orbits, std::floor(1e3 * pilot.kept) / 10.0, pilot.points,
-      pilot.error, found, std::ceil(1e3 * pilot.max_sensitive) / 10.0);
+      pilot.step.max_step, pilot.step.words_of_orbits(), std::floor(1e3 * pilot.kept) / 10.0,
+      pilot.points, pilot.error, found, std::ceil(1e3 * pilot.max_sensitive) / 10.0);
 }
 
 }  // namespace

@@ -311,24 +311,42 @@ void take_in_sample_files(const StudyFiles& files, toml::table* study) {
   }
 }
 
+namespace {
+
+void read_options(TableReader* reader, Uncertain* uncertain) {
+  uncertain->samples = reader->count("samples", kUsualSamples);
+  uncertain->seed = reader->count("seed", uncertain->seed);
+  uncertain->starts_at_nominal = reader->choice("start", 0, {"own", "nominal"}) == 1;
+  uncertain->sobol = reader->boolean("sobol", uncertain->sobol);
+  uncertain->keep = reader->boolean("keep", uncertain->keep);
+  uncertain->percentiles = {5.0, 50.0, 95.0};
+  if (const toml::node* percentiles = reader->find("percentiles")) {
+    uncertain->percentiles = reader->numbers("percentiles", 0.0, 100.0);
+    if (!std::ranges::is_sorted(uncertain->percentiles, std::ranges::less_equal())) {
+      fail_at(*percentiles, "percentiles must increase");
+    }
+  }
+}
+
+void refuse_other_starts(const toml::table& table, const Study& study) {
+  if (study.is_chained()) {
+    fail_at(table,
+            "uncertain parameters and an [initial] policy that goes on from neighbours: "
+            "take policy = \"shifted\" or \"fixed\"");
+  }
+  if (study.initial.ensemble > 1) {
+    fail_at(table, "uncertain parameters and an [initial] ensemble; a study has one of them");
+  }
+}
+
+}  // namespace
+
 void read_uncertain(const toml::table& root, Study* study) {
   const toml::node* node = root.get(kUncertain);
   if (node == nullptr) return;
   const toml::table& table = *node->as_table();
   TableReader reader(&table, study_table(kUncertain));
-  Uncertain& uncertain = study->uncertain;
-  uncertain.samples = reader.count("samples", kUsualSamples);
-  uncertain.seed = reader.count("seed", uncertain.seed);
-  uncertain.starts_at_nominal = reader.choice("start", 0, {"own", "nominal"}) == 1;
-  uncertain.sobol = reader.boolean("sobol", uncertain.sobol);
-  uncertain.keep = reader.boolean("keep", uncertain.keep);
-  uncertain.percentiles = {5.0, 50.0, 95.0};
-  if (const toml::node* percentiles = reader.find("percentiles")) {
-    uncertain.percentiles = reader.numbers("percentiles", 0.0, 100.0);
-    if (!std::ranges::is_sorted(uncertain.percentiles, std::ranges::less_equal())) {
-      fail_at(*percentiles, "percentiles must increase");
-    }
-  }
+  read_options(&reader, &study->uncertain);
   const Model& model = *study->model;
   for (const ParameterInfo& info : model.parameters) reader.know(info.name);
   for (const ChannelInfo& info : model.states) reader.know(info.name);
@@ -351,14 +369,7 @@ void read_uncertain(const toml::table& root, Study* study) {
             "[uncertain] names no parameter, such as mu = {distribution = \"normal\", "
             "std = 0.01}");
   }
-  if (study->is_chained()) {
-    fail_at(table,
-            "uncertain parameters and an [initial] policy that goes on from neighbours: "
-            "take policy = \"shifted\" or \"fixed\"");
-  }
-  if (study->initial.ensemble > 1) {
-    fail_at(table, "uncertain parameters and an [initial] ensemble; a study has one of them");
-  }
+  refuse_other_starts(table, *study);
   std::map<std::string, std::size_t> keys_of_drawing;  // by its suffix
   for (const auto& [name, entry] : entries) {
     if (const auto swept = find_swept_key(root, model, name)) ++keys_of_drawing[swept->from.suffix];
