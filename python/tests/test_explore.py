@@ -9,33 +9,10 @@ import urllib.request
 import pytest
 import xarray
 from conftest import MAP
+from test_curves import PENDULUM
 from test_errors import refusal
 
 import gearsweep
-
-# The pendulum doubles its period between dampings 0.73 and 0.755.
-PENDULUM = """
-[model]
-name = "pendulum"
-[parameters]
-omega = 0.6666666666666666
-phase = 1.5707963267948966
-[[axes]]
-name = "damping"
-from = 0.73
-to = 0.755
-count = 12
-[[axes]]
-name = "drive"
-from = 1.49
-to = 1.51
-count = 10
-[integrate]
-max_step = 0.1
-settle = 1000
-[observe]
-quantities = ["period"]
-"""
 
 
 @pytest.fixture(scope="module")
