@@ -59,7 +59,8 @@ TEST_F(ClusterTest, AnyNumberOfRanksGivesTheMapsOfOneProcess) {
 TEST_F(ClusterTest, AllRanksTakeTheStepsThatAPilotRunHasFound) {
   const std::string found =
       " --set integrate.tolerance=1e-3 --set 'observe.quantities=[\"x1_rms\",\"lyapunov_max\"]' "
-      "--set integrate.settle=300 --set integrate.record=100 --set axes.e0.count=16";
+      // So long that no rank is done before the others have begun.
+      "--set integrate.settle=300 --set integrate.record=1000 --set integrate.tile=4";
   const Outcome whole = gearsweep(folder_, "run study.toml -o whole.nc" + found);
   ASSERT_EQ(whole.status, 0) << whole.err;
   EXPECT_THAT(whole.out + whole.err, HasSubstr("1/4 of that on orbits"));

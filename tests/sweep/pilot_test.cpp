@@ -236,7 +236,8 @@ TEST(Pilot, GivesShorterStepsToOrbitsWhereExponentsNeedThem) {
 // Whatever is asked of exponents and of other maps, a step is judged by a shorter one. The exponent
 // of a damped linear oscillator is known: half of its damping.
 TEST(Pilot, JudgesStepsOnOrbitsByShorterOnes) {
-  for (const char* maps : {"1e-4", "1e-5", "1e-6", "1e-7"}) {
+  // At 3e-7 maps ask for the model's own step, that of the first run.
+  for (const char* maps : {"1e-4", "1e-6", "3e-7", "1e-7"}) {
     for (const double exponents : {1e-6, 1e-8}) {
       SCOPED_TRACE(fmt::format("{} {}", maps, exponents));
       const SweepResult result = run(replaced(kOscillator, "'x_rms'", "'x_rms', 'lyapunov_max'"),
